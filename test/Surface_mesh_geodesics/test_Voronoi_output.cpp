@@ -1,5 +1,6 @@
 // The files of a Voronoi diagram, read back.
 
+#include "expected_exceptions.h"
 #include "test_meshes.h"
 #include "test_support.h"
 
@@ -16,10 +17,13 @@
 #include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <ios>
 #include <istream>
 #include <iterator>
 #include <map>
+#include <ostream>
 #include <sstream>
+#include <streambuf>
 #include <string>
 #include <utility>
 #include <vector>
@@ -357,6 +361,45 @@ void binary_files_hold_the_same(const Voronoi& voronoi)
     CHECK(from_bytes.point(v) == from_text.point(v));
 }
 
+// A device that is full after some bytes.
+class Small_device : public std::streambuf
+{
+public:
+  explicit Small_device(std::size_t room) : m_room(room) {}
+
+private:
+  int_type overflow(int_type c) override
+  {
+    if(m_room == 0)
+      return traits_type::eof();
+    --m_room;
+    return c;
+  }
+
+  std::size_t m_room;
+};
+
+// A full device ends the output with `false`, or with the exception that the stream has been told to throw.
+void full_devices_are_reported(const Voronoi& voronoi)
+{
+  test_support::Scope scope("full device");
+  using Write = bool (*)(std::ostream&, const Voronoi&, double);
+  const std::array<Write, 2> writers{{Geodesics::write_geodesic_Voronoi_diagram_PLY<Voronoi>,
+                                      Geodesics::write_geodesic_Voronoi_diagram_VTK<Voronoi>}};
+  for(const auto mode : {CGAL::IO::ASCII, CGAL::IO::BINARY})
+    for(const std::size_t room : {20u, 3000u, 70000u})
+      for(const Write write : writers)
+      {
+        Small_device device(room), other_device(room);
+        std::ostream os(&device), throwing(&other_device);
+        CGAL::IO::set_mode(os, mode);
+        CGAL::IO::set_mode(throwing, mode);
+        throwing.exceptions(std::ios::badbit | std::ios::failbit);
+        CHECK(!write(os, voronoi, tolerance));
+        CHECK(throws<std::ios_base::failure>([&] { write(throwing, voronoi, tolerance); }));
+      }
+}
+
 // The mode of a stream changes nothing in a format that is always text.
 void obj_output_is_text(const Voronoi& voronoi)
 {
@@ -480,6 +523,7 @@ int main()
   vtk_output_has_all_edges(mesh, voronoi);
   binary_files_hold_the_same(voronoi);
   obj_output_is_text(voronoi);
+  full_devices_are_reported(voronoi);
   file_names_choose_the_format(voronoi);
   functions_have_a_default_tolerance(mesh, voronoi);
   surfaces_without_points_have_a_default_tolerance();

@@ -34,15 +34,15 @@ namespace internal {
 // separated by blanks, and a record is a line. In binary, the order of the bytes is that of the format, whatever the
 // machine has: PLY has the lowest byte first, legacy VTK the highest.
 //
-// Bytes are collected, as a call of a stream for each number takes longer than all else; flush() hands them on, and so
-// does the destructor. Nothing else may be written to the stream before. The stream is referred to.
+// Bytes are collected, as a call of a stream for each number takes longer than all else. A call of flush() or
+// end_block() hands the last ones on; nothing else may be written to the stream before. There is no destructor that
+// would do it, as streams may throw. The stream is referred to.
 class Number_writer
 {
 public:
   enum class Byte_order { LOWEST_FIRST, HIGHEST_FIRST };
 
   Number_writer(std::ostream& os, Byte_order order) : m_os(os), m_order(order), m_is_binary(IO::is_binary(os)) {}
-  ~Number_writer() { flush(); }
 
   Number_writer(const Number_writer&) = delete;
   Number_writer& operator=(const Number_writer&) = delete;
