@@ -5,6 +5,8 @@
 #include "test_meshes.h"
 #include "test_support.h"
 
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/certify_geodesic_Voronoi_diagram.h>
 #include <CGAL/Surface_mesh_geodesics/internal/applications/Diagram_certifier.h>
 #include <CGAL/Surface_mesh_geodesics/internal/applications/Location_separation.h>
@@ -13,6 +15,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <iostream>
 #include <memory>
 #include <string>
 #include <type_traits>
@@ -450,6 +453,24 @@ void lost_ties_are_found(const Indexed_mesh& indexed)
   CHECK(c.worst_violation(Condition::DISTANCES) <= Certificate::default_tolerance);
 }
 
+// Answers that are rounded to float violate conditions by that rounding.
+void diagrams_of_float_are_certified()
+{
+  test_support::Scope scope("kernel of float");
+  using Float_kernel = CGAL::Simple_cartesian<float>;
+  using Float_mesh = CGAL::Surface_mesh<Float_kernel::Point_3>;
+  Float_mesh tm;
+  add_to_face_graph(noisy_sphere(2, .05, 7), tm);
+  CGAL::Surface_mesh_geodesic_Voronoi_diagram<CGAL::Surface_mesh_shortest_path_traits<Float_kernel, Float_mesh>>
+    diagram(tm);
+  for(unsigned int i = 0; i < 6; ++i)
+    diagram.add_site(vertex_descriptor(20 * i));
+  const Certificate certificate = SMG::certify_geodesic_Voronoi_diagram(diagram);
+  std::cout << "kernel of float: worst violation " << certificate.worst_violation() << std::endl;
+  CHECK(certificate.is_certified(0x1p-20));
+  CHECK(!certificate.is_certified());
+}
+
 } // namespace
 
 int main()
@@ -466,5 +487,6 @@ int main()
   hidden_sites_are_found(saddle_patch(10), seed + 5);
   straight_arcs_are_found(torus(2., 1., 12, 8), seed + 6);
   lost_ties_are_found(icosphere(2));
+  diagrams_of_float_are_certified();
   return test_result();
 }

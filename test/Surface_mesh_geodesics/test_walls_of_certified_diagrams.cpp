@@ -266,6 +266,47 @@ void test_relaxation()
   CHECK((found == std::vector<vertex_descriptor>{at(2, 2), at(6, 2)}));
 }
 
+// An edge at the border is no wall: all conditions are checked as without it.
+void test_walls_at_the_border()
+{
+  const test_support::Scope scope("walls at the border");
+  const Mesh tm = to_face_graph(flat_patch(3, 3, 0., true, 1));
+  std::vector<edge_descriptor> border;
+  for(const edge_descriptor e : edges(tm))
+    if(is_border(e, tm))
+      border.push_back(e);
+  Diagram diagram(tm);
+  diagram.add_site(vertex_descriptor(0));
+  diagram.add_site(vertex_descriptor(num_vertices(tm) - 1));
+  diagram.avoid_edges(border);
+  const auto certificate = SMG::certify_geodesic_Voronoi_diagram(diagram);
+  CHECK(certificate.is_certified());
+  CHECK(certificate.number_of_checks(Certificate::Condition::CURVES) > 0);
+  CHECK(certificate.number_of_checks(Certificate::Condition::DISTANCES) > 0);
+}
+
+// Faces that a mesh has got after its walls have none, and are not avoided.
+void test_meshes_that_grow()
+{
+  const test_support::Scope scope("meshes that grow");
+  Mesh tm = to_face_graph(flat_patch(2, 2, 0., true, 1));
+  Diagram diagram(tm);
+  diagram.avoid_edges(std::vector<edge_descriptor>{*edges(tm).begin()});
+  diagram.avoid_faces(std::vector<face_descriptor>{*faces(tm).begin()});
+  const std::size_t number = num_faces(tm);
+  tm += to_face_graph(icosphere(1));
+  diagram.clear();
+  diagram.add_site(vertex_descriptor(num_vertices(tm) - 1));
+  const std::vector<face_descriptor> all(faces(tm).begin(), faces(tm).end());
+  for(std::size_t i = number; i < all.size(); ++i)
+  {
+    CHECK(!diagram.avoids_face(all[i]) && !diagram.avoids_edge(edge(halfedge(all[i], tm), tm)));
+    const Diagram::Face_location middle_of_edge(all[i], {.5, .5, 0.});
+    CHECK_EQUAL(diagram.nearest_site(middle_of_edge), 0u);
+    CHECK(diagram.distance_to_nearest_site(middle_of_edge) > 0);
+  }
+}
+
 } // namespace
 
 int main()
@@ -275,5 +316,7 @@ int main()
   test_curves();
   test_cells_without_boundary();
   test_relaxation();
+  test_walls_at_the_border();
+  test_meshes_that_grow();
   return test_result();
 }

@@ -133,7 +133,8 @@ interface of `Surface_mesh_shortest_path`; its reference page lists where it the
 square.
 
 <b>Validity.</b> Handles and references that functions return are valid until sites are changed, `clear()`,
-`use_edge_lengths()` or `use_points()` is called, or the diagram is destroyed. The mesh must not change in between.
+`avoid_faces()`, `avoid_edges()`, `use_edge_lengths()` or `use_points()` is called, or the diagram is destroyed. The
+mesh must not change in between.
 
 \tparam Traits a model of `SurfaceMeshShortestPathTraits`, with the requirements of `Surface_mesh_geodesic_paths`
 \tparam VIM a model of `ReadablePropertyMap` with `vertex_descriptor` as key and `unsigned int` as value type.
@@ -599,7 +600,8 @@ public:
     return first;
   }
 
-  /// removes all sites and discards everything that was computed. Call this function after the mesh has changed.
+  /// removes all sites and discards everything that was computed. Call this function after the mesh has changed. Faces
+  /// and edges to avoid stay, by the indices of the faces: give them again if these have changed.
   ///
   /// The maps of the constructor must still be valid. An assignment to a `Surface_mesh` invalidates its point map; then
   /// construct a new object instead.
@@ -975,8 +977,8 @@ public:
   /// returns whether the cell, with its boundary, is a topological disk; `false` if the cell is empty, or a vertex
   /// without faces. A cell is not a disk either if the mesh is pinched at a vertex in it, or if its boundary touches
   /// itself at a point, up to rounding. Where that is possible, as curves run through vertices of the mesh or four
-  /// cells meet, and if the site is on a wall, the function takes the time of `cell_mesh()`. Beside walls, the cells of
-  /// all curves take that time.
+  /// cells meet, and if the site is on a wall, the function takes the time of `cell_mesh()`. With walls and with curves
+  /// among the sites, all cells take that time.
   ///
   /// \param i the number of the site
   /// \pre `i < number_of_sites()`

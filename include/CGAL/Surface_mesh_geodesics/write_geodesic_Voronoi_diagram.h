@@ -91,7 +91,8 @@ The complexity is that of `Surface_mesh_geodesic_Voronoi_diagram::cut()`. Thread
 \param diagram the diagram
 \param tolerance the largest distance of the polylines from the arcs, in the unit of the mesh
 
-\return `true` if everything has been written; otherwise the stream may hold a part of the file
+\return `true` if everything has been written; otherwise the stream may hold a part of the file. A file
+        has fewer than 2<sup>31</sup> points.
 
 \pre `tolerance` is positive and finite.
 
@@ -138,7 +139,8 @@ The complexity is that of `Surface_mesh_geodesic_Voronoi_diagram::cut()`. Thread
 \param diagram the diagram
 \param tolerance the largest distance of the polylines from the arcs, in the unit of the mesh
 
-\return `true` if everything has been written; otherwise the stream may hold a part of the file
+\return `true` if everything has been written; otherwise the stream may hold a part of the file. A file
+        has fewer than 2<sup>31</sup> points.
 
 \pre `tolerance` is positive and finite.
 

@@ -14,8 +14,8 @@
 // apart. What is checked is documented at certify_geodesic_Voronoi_diagram(). `Diagram` is a type with the members of
 // Surface_mesh_geodesic_Voronoi_diagram; tests pass one with wrong answers.
 //
-// Faces that the diagram avoids do not exist here: they have no samples and no area, and their rim is a border. So are
-// walls.
+// Faces that the diagram avoids do not exist here: they have no samples and no area, and their rim is a border. Walls
+// are borders, too.
 //
 // The steps of run():
 // 1. find_components() measures the extents that violations are relative to.
@@ -32,9 +32,11 @@
 
 #include <CGAL/Surface_mesh_geodesics/internal/applications/Diagram_conditions.h>
 #include <CGAL/Surface_mesh_geodesics/internal/applications/Diagram_distance_check.h>
+#include <CGAL/Surface_mesh_geodesics/internal/applications/Diagram_samples.h>
 #include <CGAL/Surface_mesh_geodesics/internal/applications/Location_separation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/applications/Site_witness.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Face_shapes.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/distance_in_space.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Available_tag.h>
@@ -120,6 +122,9 @@ public:
   double extent_around(vertex_descriptor v) const { return m_components.extent(component_of(v)); }
   double extent_around(face_descriptor f) const { return extent_around(corner(f)); }
 
+  // A site at the rim of what is avoided may be given in a face that is in no component, or in another one.
+  double extent_around(const Face_location& l) const { return extent_around(corner_near(l)); }
+
   // Returns the distance of two locations, relative to the longest edge of the component of the first one. Both are
   // points of one component.
   double gap(const Face_location& a, const Face_location& b) const
@@ -141,12 +146,12 @@ private:
     return false;
   }
 
+  // Edges at the border are no walls, whatever the user says: nothing changes there.
   bool has_walls() const
   {
-    for(const face_descriptor f : faces(m_tm))
-      for(const halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(f, m_tm), m_tm))
-        if(m_diagram.avoids_edge(edge(h, m_tm)))
-          return true;
+    for(const halfedge_descriptor h : halfedges(m_tm))
+      if(is_inside(h, m_diagram) && is_inside(opposite(h, m_tm), m_diagram) && m_diagram.avoids_edge(edge(h, m_tm)))
+        return true;
     return false;
   }
 
@@ -252,7 +257,7 @@ private:
   {
     const double rounding = Tolerance<double>::gap() * (distance + m_largest_weight);
     const double scale = distance + (s.vertex != Graph_traits::null_vertex() ? extent_around(s.vertex)
-                                                                            : extent_around(s.location.first));
+                                                                            : extent_around(s.location));
     const auto first = samples.sites().begin() + static_cast<std::ptrdiff_t>(s.first_site);
     const auto last = first + static_cast<std::ptrdiff_t>(s.number_of_sites);
     if(std::find(first, last, i) != last)

@@ -6,6 +6,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Surface_mesh_geodesics authors
+
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_DIAGRAM_DISTANCE_CHECK_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_DIAGRAM_DISTANCE_CHECK_H
 
@@ -58,7 +59,7 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// `Extents` has extent_around(face or vertex of the mesh), the longest edge of a component, and gap(location,
+// `Extents` has extent_around(face, vertex or location of the mesh), the longest edge of a component, and gap(location,
 // location), how far they are apart as a multiple of it. All objects are referred to. Requires: the witness has been
 // proved.
 template <typename Diagram, typename Witness, typename Extents>
@@ -126,7 +127,7 @@ private:
   double extent(const Sample& s) const
   {
     return s.vertex != Graph_traits::null_vertex() ? m_extents.extent_around(s.vertex)
-                                                   : m_extents.extent_around(s.location.first);
+                                                   : m_extents.extent_around(s.location);
   }
 
   // Samples and pieces come sorted by face, mostly: arcs of a face, its points, its vertices.
@@ -239,7 +240,7 @@ private:
     }
     for(const Piece& p : m_pieces)
       for(std::size_t side = 0; side < 2; ++side)
-        if(is_doubtful(violation(p, p.excess[side])))
+        if(is_doubtful(violation(p, side, p.excess[side])))
           m_needs_run[p.sites[side]] = 1;
   }
 
@@ -313,13 +314,13 @@ private:
         p.images[side] = image;
       }
     }
-    return violation(p, p.excess[side]) <= Tolerance<double>::excess_of_pieces();
+    return violation(p, side, p.excess[side]) <= Tolerance<double>::excess_of_pieces();
   }
 
-  // Makes a violation of an excess in the unit of the intrinsic mesh.
-  double violation(const Piece& p, double excess) const
+  // Makes a violation of an excess in the unit of the intrinsic mesh, for the site on one side.
+  double violation(const Piece& p, std::size_t side, double excess) const
   {
-    return relative(excess * m_witness.mesh().unit(), distance_without_weight(p.stated[1], p.sites[0]), p.extent);
+    return relative(excess * m_witness.mesh().unit(), distance_without_weight(p.stated[1], p.sites[side]), p.extent);
   }
 
   // Both sites have images now, or never. The bound is compared along the whole piece, and the piece must not leave the
@@ -338,7 +339,8 @@ private:
         arc.for_each_extremum_of_difference([&](const Point& x)
         { excess = (std::max)(excess, arc.difference(x)); });
       }
-      record(DIAGRAM_CURVES, violation(p, excess), p.sites[p.excess[1] > p.excess[0] ? 1 : 0]);
+      const std::size_t side = p.excess[1] > p.excess[0] ? 1 : 0;
+      record(DIAGRAM_CURVES, violation(p, side, excess), p.sites[side]);
     }
   }
 
@@ -368,7 +370,7 @@ private:
         }
     for(Piece& p : m_pieces)
       for(std::size_t side = 0; side < 2; ++side)
-        if(p.sites[side] == i && is_doubtful(violation(p, p.excess[side])))
+        if(p.sites[side] == i && is_doubtful(violation(p, side, p.excess[side])))
         {
           read_own(p.face);
           find_image(p, side, paths);

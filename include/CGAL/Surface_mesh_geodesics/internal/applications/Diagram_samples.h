@@ -56,6 +56,7 @@ class Diagram_samples
   using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
   using face_descriptor = typename Graph_traits::face_descriptor;
   using Face_location = typename Diagram::Face_location;
+  using FT = typename Diagram::FT;
 
 public:
   // A point of the surface. The diagram says that the sites are equally near, that no other site is nearer, and how far
@@ -121,7 +122,7 @@ private:
     for(std::size_t i = 0; i < number; ++i)
     {
       const std::array<double, 2> p = next_point_of_triangle();
-      const Face_location l(f, typename Diagram::Barycentric_coordinates{1 - p[0] - p[1], p[0], p[1]});
+      const Face_location l(f, typename Diagram::Barycentric_coordinates{FT(1 - p[0] - p[1]), FT(p[0]), FT(p[1])});
       add_location(l);
     }
   }

@@ -6,6 +6,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Surface_mesh_geodesics authors
+
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_SITE_WITNESS_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_SITE_WITNESS_H
 
@@ -22,7 +23,8 @@
 // verifies the function. Paths to other points are not measured again: they are the straight pieces behind windows,
 // from vertices whose paths are.
 //
-// Faces that the diagram avoids are left out when the mesh is read. There are no walls, as diagrams have none.
+// Faces that the diagram avoids are left out when the mesh is read. There are no walls: diagrams with walls
+// go without a witness (Diagram_certifier::run()).
 //
 // Unit: lengths and distances are those of the intrinsic mesh. A distance here includes the offset of its site;
 // user_distance() has the distance of the user, less the weight.
@@ -190,7 +192,7 @@ public:
   }
   void read_bound(Face_id f, Paths& paths) const { paths.start_function(m_function, f); }
 
-  // Propagates from one site, in place of the site before. Then read_paths_from() has the paths from it.
+  // Propagates from one site, in place of the site before. Then read_paths_from_one() has the paths from it.
   void run_from(std::size_t i)
   {
     m_runs_from = i;

@@ -6,6 +6,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Surface_mesh_geodesics authors
+
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_CERTIFICATE_ARC_PIECE_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_CERTIFICATE_ARC_PIECE_H
 

@@ -201,7 +201,7 @@ private:
       register_index(f, range_of_indices);
       m_faces.push_back(f);
       if(!m_obstacles.walls.empty())
-        m_walls.push_back(index_of(f) < m_obstacles.walls.size() ? m_obstacles.walls[index_of(f)] : Wall_bits(0));
+        m_walls.push_back(m_obstacles.walls_of(index_of(f)));
       m_connected_faces.push_back(
         {corners(h0, h1, h2, number_of_vertices), {neighbor(h0), neighbor(h1), neighbor(h2)}});
       if(m_faces.size() >= maximum_number_of_faces)
@@ -224,7 +224,7 @@ private:
     if(m_obstacles.is_avoided.empty())
       return false;
     const std::size_t index = index_of(f);
-    const bool result = index < m_obstacles.is_avoided.size() && m_obstacles.is_avoided[index] != 0;
+    const bool result = m_obstacles.avoids(index);
     m_indices_are_positions = m_indices_are_positions && !result;
     return result;
   }

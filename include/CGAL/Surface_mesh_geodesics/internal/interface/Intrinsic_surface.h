@@ -121,7 +121,7 @@ public:
   bool is_avoided(face_descriptor f) const
   {
     return !m_obstacles.is_avoided.empty() && f != Graph_traits::null_face() && is_face_of(f, m_tm, m_fim)
-        && m_obstacles.is_avoided[static_cast<std::size_t>(get(m_fim, f))] != 0;
+        && m_obstacles.avoids(static_cast<std::size_t>(get(m_fim, f)));
   }
 
   // Frees the memory of mesh and tables. read() may follow.
@@ -332,16 +332,17 @@ public:
   }
 
   // Returns the same point on the other side of a wall: a halfedge of the face there, and coordinates; null_id if the
-  // point is on no wall, or at a vertex. Requires: the coordinates are snapped, and f is a face of the mesh as it was
-  // read.
+  // point is on no wall, or at a vertex. Requires: the coordinates are snapped, f is a face of the mesh as it was read.
   std::pair<Halfedge_id, Coordinates> location_behind_wall(Face_id f, const Coordinates& c) const
   {
     for(unsigned int k = 0; k < 3 && has_walls(); ++k)
       if(c[k] != 0 && c[next_corner(k)] != 0 && c[previous_corner(k)] == 0)
       {
         const halfedge_descriptor o = opposite(descriptor_of_halfedge(halfedge_of(f, k)), m_tm);
-        if(!is_border(o, m_tm) && first_halfedge(face(o, m_tm)) != null_id
-           && is_wall(m_obstacles.walls[static_cast<std::size_t>(get(m_fim, face(o, m_tm)))], number_in_face(o, m_tm)))
+        if(is_border(o, m_tm) || first_halfedge(face(o, m_tm)) == null_id)
+          continue;
+        const std::size_t index = static_cast<std::size_t>(get(m_fim, face(o, m_tm)));
+        if(is_wall(m_obstacles.walls_of(index), number_in_face(o, m_tm)))
           return location_on_halfedge(o, c[next_corner(k)], c[k]);
       }
     return {null_id, c};
@@ -554,7 +555,7 @@ private:
   // are flags.
   bool is_open(halfedge_descriptor h) const
   {
-    return !is_border(h, m_tm) && m_obstacles.is_avoided[static_cast<std::size_t>(get(m_fim, face(h, m_tm)))] == 0;
+    return !is_border(h, m_tm) && !m_obstacles.avoids(static_cast<std::size_t>(get(m_fim, face(h, m_tm))));
   }
 
   // The location on a halfedge with a face, by the coordinates of its source and its target. The third coordinate is an

@@ -242,11 +242,15 @@ bool is_edge_of(typename boost::graph_traits<TriangleMesh>::edge_descriptor e, c
 
 // They are given to the reader by the index of a face: the reader meets each face once, and asks with its index at
 // hand. So faces to avoid and walls cost an array of bytes each, and a mesh without them costs one test in all. A wall
-// is told to both of its faces; an edge needs no index.
+// is told to both of its faces; an edge needs no index. Faces that a mesh has got since have an index beyond the
+// arrays, and are free.
 struct Obstacles
 {
   std::vector<char> is_avoided; // by the index of a face: is it left out? Or empty: none is.
   std::vector<Wall_bits> walls; // by the index of a face: which of its edges are walls, from halfedge(f, tm). Or empty.
+
+  bool avoids(std::size_t face) const { return face < is_avoided.size() && is_avoided[face] != 0; }
+  Wall_bits walls_of(std::size_t face) const { return face < walls.size() ? walls[face] : Wall_bits(0); }
 };
 
 // True for a property map: its traits name a category, also where a user has specialized them. All other types are
@@ -378,7 +382,7 @@ bool is_wall_of(typename boost::graph_traits<TriangleMesh>::edge_descriptor e, c
   if(is_border(h, tm))
     h = opposite(h, tm);
   return !is_border(h, tm)
-      && is_wall(obstacles.walls[static_cast<std::size_t>(get(fim, face(h, tm)))], number_in_face(h, tm));
+      && is_wall(obstacles.walls_of(static_cast<std::size_t>(get(fim, face(h, tm)))), number_in_face(h, tm));
 }
 
 // Coordinates of a type with fewer digits than double err by the rounding of that type, which is far more than the

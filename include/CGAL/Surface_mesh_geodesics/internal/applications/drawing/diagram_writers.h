@@ -33,6 +33,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <fstream>
+#include <ios>
 #include <limits>
 #include <ostream>
 #include <string>
@@ -42,7 +43,15 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// Indices in files have 32 bits, so readers expect fewer than 2^31 points; this is not checked.
+// Indices in files have 32 bits. A stream fails before anything is written if the points of a drawing have larger ones;
+// sites are fewer than points.
+inline bool has_indices_in_file(std::ostream& os, const Voronoi_drawing& drawing)
+{
+  if(drawing.points.size() > static_cast<std::size_t>((std::numeric_limits<std::int32_t>::max)()))
+    os.setstate(std::ios::failbit);
+  return static_cast<bool>(os);
+}
+
 inline std::int32_t index_in_file(std::size_t i) { return static_cast<std::int32_t>(i); }
 
 // The number of a site in a file, -1 for no site, which diagrams name by the largest std::size_t.
@@ -122,6 +131,8 @@ bool write_diagram_PLY(std::ostream& os, const Diagram& diagram, double toleranc
 {
   Voronoi_drawing drawing;
   drawing.add_cells(diagram, tolerance);
+  if(!has_indices_in_file(os, drawing))
+    return false;
   const std::vector<IO::Color> colors = cell_colors(diagram);
   write_header_PLY(os, drawing, colors);
   Number_writer out(os, Number_writer::Byte_order::LOWEST_FIRST);
@@ -197,6 +208,8 @@ bool write_diagram_VTK(std::ostream& os, const Diagram& diagram, double toleranc
 {
   using Sites = Voronoi_drawing::Sites;
   const Voronoi_drawing drawing = drawing_with_cells(diagram, tolerance);
+  if(!has_indices_in_file(os, drawing))
+    return false;
   os << "# vtk DataFile Version 3.0\ngeodesic Voronoi diagram\n" << (IO::is_binary(os) ? "BINARY" : "ASCII")
      << "\nDATASET POLYDATA\nPOINTS " << drawing.points.size() << " double\n";
   {

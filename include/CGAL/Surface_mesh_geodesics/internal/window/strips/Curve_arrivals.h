@@ -68,7 +68,8 @@ const Curve_point<FT>& curve_point_at(const Source_curves<FT>& curves, Vertex_id
 }
 
 // The point of a curve at a foot. Rounding may have moved the foot past an end of its edge. If the foot is such an end,
-// up to rounding, and this is on an earlier curve, too, the foot is a point of that one.
+// up to rounding, and another curve counts there (of those with the smallest offset, the first), the foot is a point of
+// that one.
 template <typename FT>
 Curve_point<FT> curve_point_of_foot(const Source_curves<FT>& curves, const Strip_foot<FT>& foot)
 {
