@@ -384,7 +384,8 @@ private:
   // the face tells; a corner at a wall may be reached on its other side only.
   bool is_reached(face_descriptor f) const
   {
-    const Face_location middle(f, typename Diagram::Barycentric_coordinates{1. / 3, 1. / 3, 1. / 3});
+    const auto third = static_cast<typename Diagram::FT>(1. / 3);
+    const Face_location middle(f, typename Diagram::Barycentric_coordinates{third, third, third});
     halfedge_descriptor h = halfedge(f, m_tm);
     for(std::size_t k = 0; k < 3; ++k, h = next(h, m_tm))
       for(const halfedge_descriptor g : CGAL::halfedges_around_source(h, m_tm))
