@@ -1,7 +1,7 @@
-// Distances from curves: closed forms in the plane and on surfaces that unfold, points along the curve, curves of
-// strange shapes; offsets, mixtures with points, feet, limits, signs, invalid input.
+// Distances from curves: closed forms in the plane and on surfaces that unfold, curves of strange shapes; offsets,
+// mixtures with points, feet, limits, signs, invalid input.
 
-#include "curve_cases.h"
+#include "curves_in_plane.h"
 #include "expected_exceptions.h"
 #include "test_meshes.h"
 #include "test_support.h"
@@ -31,57 +31,7 @@ using Solver = SMG::Geodesic_distance_solver<Mesh>;
 
 namespace {
 
-double square(double x) { return x * x; }
-
 // --- the plane ---
-
-using Point_2 = std::array<double, 2>;
-
-Point_2 in_plane(const Mesh& tm, vertex_descriptor v) { return {tm.point(v).x(), tm.point(v).y()}; }
-
-double distance_to_segment(const Point_2& p, const Point_2& a, const Point_2& b)
-{
-  const double x = b[0] - a[0], y = b[1] - a[1], length = square(x) + square(y);
-  const double t = length > 0 ? ((p[0] - a[0]) * x + (p[1] - a[1]) * y) / length : 0;
-  const double s = (std::min)(1., (std::max)(0., t));
-  return std::hypot(p[0] - a[0] - s * x, p[1] - a[1] - s * y);
-}
-
-// The locations where a segment of the plane begins and crosses edges, in its order. The mesh lies in the plane; the
-// segment runs through none of its vertices.
-void append_crossings(const Mesh& tm, const Point_2& a, const Point_2& b, std::vector<Location>& locations)
-{
-  std::vector<std::pair<double, Location>> crossings{{0., location_in_plane(a[0], a[1], tm)}};
-  for(const auto e : edges(tm))
-  {
-    auto h = halfedge(e, tm);
-    if(is_border(h, tm))
-      h = opposite(h, tm);
-    const Point_2 p = in_plane(tm, source(h, tm)), q = in_plane(tm, target(h, tm));
-    const double x = b[0] - a[0], y = b[1] - a[1];
-    const double at_p = x * (p[1] - a[1]) - y * (p[0] - a[0]), at_q = x * (q[1] - a[1]) - y * (q[0] - a[0]);
-    if((at_p > 0) == (at_q > 0))
-      continue;
-    const double s = at_p / (at_p - at_q);
-    const double t = ((p[0] + s * (q[0] - p[0]) - a[0]) * x + (p[1] + s * (q[1] - p[1]) - a[1]) * y)
-                   / (square(x) + square(y));
-    if(t <= 0 || t >= 1)
-      continue;
-    Location l(face(h, tm), {0, 0, 0});
-    auto g = halfedge(l.first, tm);
-    for(std::size_t i = 0; i < 3; ++i, g = next(g, tm))
-    {
-      if(g == h)
-        l.second[i] = 1 - s;
-      if(prev(g, tm) == h)
-        l.second[i] = s;
-    }
-    crossings.emplace_back(t, l);
-  }
-  std::sort(crossings.begin(), crossings.end());
-  for(const auto& c : crossings)
-    locations.push_back(c.second);
-}
 
 void border_of_square(const Mesh& tm, double size)
 {
@@ -165,6 +115,32 @@ void test_tube()
   }
 }
 
+// A loop around a cube, halfway up: paths go straight up or down, and from the edges at the top and the bottom inward.
+void test_cube()
+{
+  const double size = 6;
+  const Mesh tm = to_face_graph(cube_grid(6));
+  std::vector<std::pair<double, vertex_descriptor>> loop; // by the way around
+  for(const vertex_descriptor v : vertices(tm))
+  {
+    const double x = tm.point(v).x(), y = tm.point(v).y();
+    if(tm.point(v).z() == size / 2)
+      loop.emplace_back(y == 0 ? x : x == size ? size + y : y == size ? 3 * size - x : 4 * size - y, v);
+  }
+  std::sort(loop.begin(), loop.end());
+  std::vector<vertex_descriptor> corners;
+  for(const auto& entry : loop)
+    corners.push_back(entry.second);
+  const Curve curve(tm, corners, true);
+  CHECK_CLOSE(curve.length(tm), 4 * size, 1e-14);
+  const Distances d = distances(tm, {curve});
+  for(const vertex_descriptor v : vertices(tm))
+  {
+    const double x = tm.point(v).x(), y = tm.point(v).y(), z = tm.point(v).z();
+    CHECK_NEAR(d.at(v), std::abs(z - size / 2) + (std::min)({x, size - x, y, size - y}), 1e-14 * size);
+  }
+}
+
 // The apex of a cone of isosceles triangles has the distance of their height; and that from the rim of a saddle, whose
 // angle at the center exceeds a full turn.
 void test_cones()
@@ -187,56 +163,6 @@ void test_cones()
       CHECK_NEAR(d.at(v), expected, 1e-14);
     }
   }
-}
-
-// --- surfaces of any kind: points along the curve, with a quadratic error ---
-
-double largest_excess(const Mesh& tm, const std::vector<Curve>& curves, const Distances& d, std::size_t n)
-{
-  std::vector<Location> points;
-  for(const Curve& c : curves)
-    for(std::size_t i = 0; i < c.segments().size(); ++i)
-      for(std::size_t j = 0; j <= n; ++j)
-        points.push_back(c.location(i, static_cast<double>(j) / static_cast<double>(n)));
-  Distances from_points;
-  SMG::geodesic_distances(tm, boost::make_assoc_property_map(from_points), points);
-  double excess = 0;
-  for(const vertex_descriptor v : vertices(tm))
-  {
-    CHECK(from_points.at(v) >= d.at(v) * (1 - 1e-12) - 1e-14);
-    // The error is quadratic at vertices that are farther away than the points are from each other.
-    if(d.at(v) > extent(tm) / 2)
-      excess = (std::max)(excess, from_points.at(v) - d.at(v));
-  }
-  return excess;
-}
-
-void test_points_along_curves()
-{
-  test_support::Random random(5);
-  double sum[3] = {0, 0, 0}; // of all meshes, as the error is linear in front of a vertex where paths bend
-  for(const Indexed_mesh& indexed : small_collection(3))
-  {
-    const test_support::Scope scope(indexed.name);
-    const Mesh tm = to_face_graph(indexed);
-    const std::vector<Curve> curves{Curve(tm, random_vertices_along_edges(tm, 4, random)), random_curve(tm, random)};
-    if(curves[1].segments().empty())
-      continue;
-    const Distances d = distances(tm, curves);
-    double excess[3] = {0, 0, 0};
-    bool is_connected = true;
-    for(const auto& entry : d)
-      is_connected = is_connected && entry.second < infinity;
-    if(!is_connected)
-      continue;
-    for(std::size_t i = 0; i < 3; ++i)
-      excess[i] = largest_excess(tm, curves, d, std::size_t(4) << i);
-    CHECK(excess[0] <= extent(tm) / 8);
-    for(std::size_t i = 0; i < 3; ++i)
-      sum[i] += excess[i] / extent(tm);
-  }
-  CHECK(sum[0] > .01);
-  CHECK(sum[1] < .6 * sum[0] && sum[2] < .6 * sum[1]);
 }
 
 // --- strange curves ---
@@ -572,8 +498,8 @@ int main()
 {
   test_plane();
   test_tube();
+  test_cube();
   test_cones();
-  test_points_along_curves();
   test_strange_curves();
   test_offsets_and_feet();
   test_limits();

@@ -1,0 +1,107 @@
+// Points along a curve as sources: their distances are bounds from above of those from the curve, with an error that is
+// quadratic in the way from one point to the next.
+
+#include "curves_in_plane.h"
+#include "test_meshes.h"
+#include "test_support.h"
+
+#include <CGAL/Surface_mesh_geodesics/Surface_curve.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_distances.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+using namespace curve_cases;
+namespace SMG = CGAL::Surface_mesh_geodesics;
+
+namespace {
+
+double largest_excess(const Mesh& tm, const std::vector<Curve>& curves, const Distances& d, std::size_t n)
+{
+  std::vector<Location> points;
+  for(const Curve& c : curves)
+    for(std::size_t i = 0; i < c.segments().size(); ++i)
+      for(std::size_t j = 0; j <= n; ++j)
+        points.push_back(c.location(i, static_cast<double>(j) / static_cast<double>(n)));
+  Distances from_points;
+  SMG::geodesic_distances(tm, boost::make_assoc_property_map(from_points), points);
+  double excess = 0;
+  for(const vertex_descriptor v : vertices(tm))
+  {
+    CHECK(from_points.at(v) >= d.at(v) * (1 - 1e-12) - 1e-14);
+    // The error is quadratic at vertices that are farther away than the points are from each other.
+    if(d.at(v) > extent(tm) / 2)
+      excess = (std::max)(excess, from_points.at(v) - d.at(v));
+  }
+  return excess;
+}
+
+void test_points_along_curves()
+{
+  test_support::Random random(5);
+  double sum[3] = {0, 0, 0}; // of all meshes, as the error is linear in front of a vertex where paths bend
+  for(const Indexed_mesh& indexed : small_collection(3))
+  {
+    const test_support::Scope scope(indexed.name);
+    const Mesh tm = to_face_graph(indexed);
+    const std::vector<Curve> curves{Curve(tm, random_vertices_along_edges(tm, 4, random)), random_curve(tm, random)};
+    if(curves[1].segments().empty())
+      continue;
+    const Distances d = distances(tm, curves);
+    double excess[3] = {0, 0, 0};
+    bool is_connected = true;
+    for(const auto& entry : d)
+      is_connected = is_connected && entry.second < infinity;
+    if(!is_connected)
+      continue;
+    for(std::size_t i = 0; i < 3; ++i)
+      excess[i] = largest_excess(tm, curves, d, std::size_t(4) << i);
+    CHECK(excess[0] <= extent(tm) / 8);
+    for(std::size_t i = 0; i < 3; ++i)
+      sum[i] += excess[i] / extent(tm);
+  }
+  CHECK(sum[0] > .01);
+  CHECK(sum[1] < .6 * sum[0] && sum[2] < .6 * sum[1]);
+}
+
+// Ten thousand points along a polygon in the plane, at most h apart on a side: the nearest point of a side is at most
+// h / 2 from one of them.
+void test_many_points_in_plane()
+{
+  const test_support::Scope scope("many points");
+  const double size = 6;
+  const Mesh tm = to_face_graph(flat_patch(6, 6, .3, true, 4));
+  const std::vector<Point_2> corners{{.7, 1.1}, {5.2, .4}, {4.9, 5.6}, {2.3, 2.2}, {.9, 5.1}};
+  std::vector<Location> locations;
+  for(std::size_t i = 0; i < corners.size(); ++i)
+    append_crossings(tm, corners[i], corners[(i + 1) % corners.size()], locations);
+  const Curve curve(tm, locations, true);
+  const Distances d = distances(tm, {curve});
+  const std::size_t n = 1 + 10000 / curve.segments().size();
+  std::vector<Location> points;
+  for(std::size_t i = 0; i < curve.segments().size(); ++i)
+    for(std::size_t j = 0; j < n; ++j)
+      points.push_back(curve.location(i, static_cast<double>(j) / static_cast<double>(n)));
+  CHECK(points.size() > 10000);
+  const double h = size * std::sqrt(2.) / static_cast<double>(n); // no segment is longer than the square
+  Distances from_points;
+  SMG::geodesic_distances(tm, boost::make_assoc_property_map(from_points), points);
+  for(const vertex_descriptor v : vertices(tm))
+  {
+    CHECK(from_points.at(v) >= d.at(v) * (1 - 1e-12));
+    CHECK(from_points.at(v) <= std::hypot(d.at(v), h / 2) + 1e-12);
+  }
+}
+
+} // namespace
+
+int main()
+{
+  test_points_along_curves();
+  test_many_points_in_plane();
+  return test_result();
+}
