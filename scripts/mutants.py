@@ -892,7 +892,7 @@ MUTANTS = [
      "return !is_inside(opposite(h, tm), diagram);",
      "right diagrams between walls are not certified", (WALLS_OF_CERTIFIED_DIAGRAMS,)),
     ("area_behind_walls", DIAGRAM_CERTIFICATE,
-     "        if(m_diagram.avoids_edge(edge(g, m_tm)))\n", "        if(false && m_diagram.avoids_edge(edge(g, m_tm)))\n",
+     "if(is_at_wall(h, m_diagram))", "if(false && is_at_wall(h, m_diagram))",
      "faces behind a wall are expected in cells that end at it", (WALLS_OF_CERTIFIED_DIAGRAMS,)),
     ("walk_through_wall", WALK,
      "if(is_end_of_surface(o, m_tm, m_layouts))", "if(is_border(o, m_tm))",

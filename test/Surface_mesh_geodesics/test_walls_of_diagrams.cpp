@@ -414,6 +414,17 @@ void check_areas(const Diagram& diagram, const std::vector<double>& areas)
   }
 }
 
+// A point of a wall has the same nearest site in the faces on both sides. `t` is its place on edge `y` of the wall.
+void check_both_sides(const Diagram& diagram, const Rectangle& r, std::size_t y, double t, std::size_t site,
+                      double distance)
+{
+  for(const bool is_left : {true, false})
+  {
+    CHECK_EQUAL(diagram.nearest_site(r.on_wall(y, t, is_left)), site);
+    CHECK_CLOSE(diagram.distance_to_nearest_site(r.on_wall(y, t, is_left)), distance, 1e-12);
+  }
+}
+
 // A wall from border to border, with a site on it.
 void test_site_on_wall()
 {
@@ -434,11 +445,7 @@ void test_site_on_wall()
   CHECK_EQUAL(diagram.boundary(0).size(), std::size_t(1));
   CHECK_EQUAL(diagram.boundary_polylines(0, .1, true).size(), std::size_t(2));
   check_loops(diagram);
-  for(const bool is_left : {true, false})
-  {
-    CHECK_EQUAL(diagram.nearest_site(r.on_wall(0, .25, is_left)), std::size_t(0));
-    CHECK_CLOSE(diagram.distance_to_nearest_site(r.on_wall(0, .25, is_left)), 1.75, 1e-12);
-  }
+  check_both_sides(diagram, r, 0, .25, 0, 1.75);
   // With a hole in the part on the other side, the characteristic is that of a disk.
   Walls with_hole = r.wall(0, 4);
   with_hole.insert(r.mesh.edge(r.mesh.halfedge(r.at(2, 2), r.at(2, 3))));
@@ -459,11 +466,7 @@ void test_sites_beside_wall()
   check_areas(diagram, {16, 16});
   CHECK(diagram.edges().empty() && diagram.is_disk(0) && diagram.is_disk(1));
   CHECK_EQUAL(diagram.boundary_polylines(0, .1, true).size(), std::size_t(1));
-  for(const bool is_left : {true, false})
-  {
-    CHECK_EQUAL(diagram.nearest_site(r.on_wall(1, .5, is_left)), std::size_t(1));
-    CHECK_CLOSE(diagram.distance_to_nearest_site(r.on_wall(1, .5, is_left)), std::sqrt(1.25), 1e-12);
-  }
+  check_both_sides(diagram, r, 1, .5, 1, std::sqrt(1.25));
   for(std::size_t y = 0; y <= 4; ++y)
     CHECK_EQUAL(diagram.nearest_site(r.at(4, y)), std::size_t(1));
   CHECK_EQUAL(diagram.nearest_site(r.at(5, 2)), std::size_t(0));

@@ -51,9 +51,7 @@ std::array<FT, 3> coordinates_on_border(const Intrinsic_face<FT>& face, const Pl
   for(unsigned int k = 0; k < 3; ++k)
   {
     const std::array<FT, 3> b = coordinates_on_side(face, k, p);
-    const Planar_point<FT> q{FT(b[0] * corner[0].x + b[1] * corner[1].x + b[2] * corner[2].x),
-                             FT(b[0] * corner[0].y + b[1] * corner[1].y + b[2] * corner[2].y)};
-    const FT d = distance(p, q);
+    const FT d = distance(p, point_of_triangle(corner, b));
     if(d < smallest)
     {
       best = b;

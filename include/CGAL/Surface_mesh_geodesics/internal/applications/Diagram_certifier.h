@@ -123,7 +123,10 @@ public:
   double extent_around(face_descriptor f) const { return extent_around(corner(f)); }
 
   // A site at the rim of what is avoided may be given in a face that is in no component, or in another one.
-  double extent_around(const Face_location& l) const { return extent_around(corner_near(l)); }
+  double extent_around(const Sample& s) const
+  {
+    return extent_around(s.vertex != Graph_traits::null_vertex() ? s.vertex : corner_near(s.location));
+  }
 
   // Returns the distance of two locations, relative to the longest edge of the component of the first one. Both are
   // points of one component.
@@ -213,16 +216,14 @@ private:
   void check_distances(MakePaths make_paths)
   {
     const Samples samples(m_diagram);
-    m_largest_weight = 0;
+    const double largest_weight = largest_weight_of(m_diagram);
     for(std::size_t i = 0; i < m_diagram.number_of_sites(); ++i)
-      m_largest_weight = (std::max)(m_largest_weight, std::abs(CGAL::to_double(m_diagram.weight(i))));
-    for(std::size_t i = 0; i < m_diagram.number_of_sites(); ++i)
-      check_distances_from(i, samples, make_paths);
+      check_distances_from(i, samples, make_paths, largest_weight);
   }
 
   // A site at a vertex without faces has no location; it is the nearest one of that vertex only, which is not a sample.
   template <typename MakePaths>
-  void check_distances_from(std::size_t i, const Samples& samples, MakePaths make_paths)
+  void check_distances_from(std::size_t i, const Samples& samples, MakePaths make_paths, double largest_weight)
   {
     const Face_location site = m_diagram.site(i);
     if(site.first == Graph_traits::null_face())
@@ -241,7 +242,7 @@ private:
                                          ? paths->shortest_distance_to_source_points(s.vertex).first
                                          : paths->shortest_distance_to_source_points(s.location.first,
                                                                                      s.location.second).first);
-      check_sample(s, samples, i, d < 0 ? infinity() : d, weight);
+      check_sample(s, samples, i, d < 0 ? infinity() : d, weight, largest_weight);
     }
   }
 
@@ -250,22 +251,19 @@ private:
   //
   // If the diagram names a site that does not reach the sample, the difference is NaN, which counts as infinite. If it
   // names no site for a point that site i reaches, the violation is infinite, too.
-  //
-  // The difference of a distance and a weight is rounded to the size of the larger one; where the weight is the larger
-  // one, that is more than the rounding of lengths, and is allowed.
-  void check_sample(const Sample& s, const Samples& samples, std::size_t i, double distance, double weight)
+  void check_sample(const Sample& s, const Samples& samples, std::size_t i, double distance, double weight,
+                    double largest_weight)
   {
-    const double rounding = Tolerance<double>::gap() * (distance + m_largest_weight);
-    const double scale = distance + (s.vertex != Graph_traits::null_vertex() ? extent_around(s.vertex)
-                                                                            : extent_around(s.location));
+    const auto violation = [&](double difference)
+    { return violation_of_distance(difference, distance, extent_around(s), largest_weight); };
     const auto first = samples.sites().begin() + static_cast<std::ptrdiff_t>(s.first_site);
     const auto last = first + static_cast<std::ptrdiff_t>(s.number_of_sites);
     if(std::find(first, last, i) != last)
-      record(s.condition, relative(std::abs(distance - weight - s.distance) - rounding, scale), i);
+      record(s.condition, violation(std::abs(distance - weight - s.distance)), i);
     else if(distance < infinity() && *first == no_site())
       record(DIAGRAM_NEAREST, infinity(), i);
     else if(distance < infinity())
-      record(DIAGRAM_NEAREST, relative(s.distance - distance + weight - rounding, scale), i);
+      record(DIAGRAM_NEAREST, violation(s.distance - distance + weight), i);
   }
 
   // --- boundaries ---
@@ -388,9 +386,8 @@ private:
     const Face_location middle(f, typename Diagram::Barycentric_coordinates{third, third, third});
     halfedge_descriptor h = halfedge(f, m_tm);
     for(std::size_t k = 0; k < 3; ++k, h = next(h, m_tm))
-      for(const halfedge_descriptor g : CGAL::halfedges_around_source(h, m_tm))
-        if(m_diagram.avoids_edge(edge(g, m_tm)))
-          return m_diagram.nearest_site(middle) != no_site();
+      if(is_at_wall(h, m_diagram))
+        return m_diagram.nearest_site(middle) != no_site();
     return m_diagram.nearest_site(source(h, m_tm)) != no_site();
   }
 
@@ -431,7 +428,6 @@ private:
   Length m_length;
   Separation m_separation;
   Component_extents<double> m_components{0}; // by the index of a vertex
-  double m_largest_weight = 0;          // in absolute value
   Diagram_violations m_violations;
 };
 
@@ -462,13 +458,11 @@ Diagram_violations certify_diagram(const Diagram& diagram, Length length, Separa
   std::vector<typename boost::graph_traits<typename Diagram::Triangle_mesh>::face_descriptor> avoided;
   std::vector<typename boost::graph_traits<typename Diagram::Triangle_mesh>::edge_descriptor> walls;
   for(const auto f : faces(tm))
-  {
     if(diagram.avoids_face(f))
       avoided.push_back(f);
-    for(const auto h : CGAL::halfedges_around_face(halfedge(f, tm), tm))
-      if(diagram.avoids_edge(edge(h, tm)))
-        walls.push_back(edge(h, tm));
-  }
+  for(const auto e : edges(tm))
+    if(diagram.avoids_edge(e))
+      walls.push_back(e);
   const auto make_paths = [&]
   {
     auto paths = std::make_unique<Paths_with_maps>(tm, vim, him, fim, vpm);

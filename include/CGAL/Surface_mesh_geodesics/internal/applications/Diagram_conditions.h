@@ -13,7 +13,13 @@
 // The conditions that a geodesic Voronoi diagram has to satisfy, and what a check of one of them finds. The certifier
 // of diagrams fills these records; the public certificate reads them.
 
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -63,6 +69,28 @@ struct Diagram_violation
 
 // By condition. The public certificate holds a copy.
 using Diagram_violations = std::array<Diagram_violation, NUMBER_OF_DIAGRAM_CONDITIONS>;
+
+// --- distances ---
+
+// Returns the largest weight of a site, in absolute value.
+template <typename Diagram>
+double largest_weight_of(const Diagram& diagram)
+{
+  double largest = 0;
+  for(std::size_t i = 0; i < diagram.number_of_sites(); ++i)
+    largest = (std::max)(largest, std::abs(CGAL::to_double(diagram.weight(i))));
+  return largest;
+}
+
+// Makes a violation of a difference of two lengths, at a point with this distance from a site; `extent` is the longest
+// edge of its component. The difference of a distance and a weight is rounded to the size of the larger one; where the
+// weight is the larger one, that is more than the rounding of lengths, and is allowed. The result is NaN if the
+// difference is. Any positive difference is infinite on a component all of whose edges have length 0.
+inline double violation_of_distance(double difference, double distance, double extent, double largest_weight)
+{
+  const double excess = difference - Tolerance<double>::gap() * (distance + largest_weight);
+  return excess <= 0 ? excess : excess / (distance + extent);
+}
 
 } // namespace internal
 } // namespace Surface_mesh_geodesics

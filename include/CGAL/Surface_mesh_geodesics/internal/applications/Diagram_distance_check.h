@@ -59,7 +59,7 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// `Extents` has extent_around(face, vertex or location of the mesh), the longest edge of a component, and gap(location,
+// `Extents` has extent_around(sample or face of the mesh), the longest edge of a component, and gap(location,
 // location), how far they are apart as a multiple of it. All objects are referred to. Requires: the witness has been
 // proved.
 template <typename Diagram, typename Witness, typename Extents>
@@ -77,11 +77,9 @@ public:
   Diagram_distance_check(const Diagram& diagram, Witness& witness, const Extents& extents,
                          Diagram_violations& violations)
     : m_diagram(diagram), m_witness(witness), m_extents(extents), m_violations(violations), m_samples(diagram),
-      m_is_confirmed(m_samples.sites().size(), 0), m_needs_run(diagram.number_of_sites(), 0)
-  {
-    for(std::size_t i = 0; i < diagram.number_of_sites(); ++i)
-      m_largest_weight = (std::max)(m_largest_weight, std::abs(CGAL::to_double(diagram.weight(i))));
-  }
+      m_largest_weight(largest_weight_of(diagram)), m_is_confirmed(m_samples.sites().size(), 0),
+      m_needs_run(diagram.number_of_sites(), 0)
+  {}
 
   // Takes time linear in the number of samples, times the number of windows of a face, and that of a propagation for
   // each site with a missing path.
@@ -100,13 +98,10 @@ private:
   static constexpr std::size_t no_site() { return Diagram_violation::no_site(); }
   static double infinity() { return std::numeric_limits<double>::infinity(); }
 
-  // Makes a violation of a difference of two lengths in the user's unit, at a point with this distance from a site.
-  // The difference of a distance and a weight is rounded to the size of the larger one; where the weight is the larger
-  // one, that is more than the rounding of lengths, and is allowed. The result is NaN if the difference is.
-  double relative(double excess, double distance, double extent) const
+  // Makes a violation of a difference of two lengths in the user's unit.
+  double relative(double difference, double distance, double extent) const
   {
-    const double x = excess - Tolerance<double>::gap() * (distance + m_largest_weight);
-    return x <= 0 ? x : x / (distance + extent);
+    return violation_of_distance(difference, distance, extent, m_largest_weight);
   }
 
   // Does a violation show that a path is missing, and not only rounding? Then a run from its site alone looks for it.
@@ -122,12 +117,6 @@ private:
   Witness_place place(const Sample& s) const
   {
     return s.vertex != Graph_traits::null_vertex() ? m_witness.place(s.vertex) : m_witness.place(s.location);
-  }
-
-  double extent(const Sample& s) const
-  {
-    return s.vertex != Graph_traits::null_vertex() ? m_extents.extent_around(s.vertex)
-                                                   : m_extents.extent_around(s.location);
   }
 
   // Samples and pieces come sorted by face, mostly: arcs of a face, its points, its vertices.
@@ -165,7 +154,7 @@ private:
     if(bound < infinity())
       violation = named == no_site() ? infinity()
                                      : relative(s.distance - m_witness.user_distance(bound),
-                                                distance_without_weight(bound, named), extent(s));
+                                                distance_without_weight(bound, named), m_extents.extent_around(s));
     const std::size_t nearest = violation <= 0 ? Paths::none : m_paths.nearest(at.point);
     record(DIAGRAM_NEAREST, violation, nearest == Paths::none ? no_site() : m_paths.site(nearest));
   }
@@ -188,7 +177,7 @@ private:
     const std::size_t family = paths.nearest(at.point, i);
     const double d = family == Paths::none ? infinity() : paths.families()[family].at(at.point);
     const double violation = relative(std::abs(m_witness.user_distance(d) - s.distance),
-                                      distance_without_weight(d, i), extent(s));
+                                      distance_without_weight(d, i), m_extents.extent_around(s));
     m_is_confirmed[k] = is_last || !is_doubtful(violation) ? 1 : 0;
     if(m_is_confirmed[k] != 0)
       record(s.condition, violation, i);
@@ -402,7 +391,7 @@ private:
   const Extents& m_extents;
   Diagram_violations& m_violations;
   const Samples m_samples;          // what the diagram states
-  double m_largest_weight = 0;      // in absolute value
+  const double m_largest_weight;    // in absolute value
   std::vector<char> m_is_confirmed; // by claim: an entry of Diagram_samples::sites()
   std::vector<char> m_needs_run;    // by site
   std::vector<Piece> m_pieces;      // of all arcs

@@ -21,6 +21,7 @@
 // `Diagram` is a type with the members of Surface_mesh_geodesic_Voronoi_diagram; tests pass one with wrong answers.
 
 #include <CGAL/Surface_mesh_geodesics/internal/applications/Diagram_conditions.h>
+#include <CGAL/Surface_mesh_geodesics/internal/applications/Location_separation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 
 #include <CGAL/assertions.h>
@@ -167,10 +168,8 @@ private:
     {
       if(std::abs(CGAL::to_double(l.second[(k + 2) % 3])) <= tolerance && m_diagram.avoids_edge(edge(h, m_tm)))
         return true;
-      if(std::abs(1 - CGAL::to_double(l.second[k])) <= tolerance)
-        for(const halfedge_descriptor g : CGAL::halfedges_around_source(h, m_tm))
-          if(m_diagram.avoids_edge(edge(g, m_tm)))
-            return true;
+      if(std::abs(1 - CGAL::to_double(l.second[k])) <= tolerance && is_at_wall(h, m_diagram))
+        return true;
     }
     return false;
   }

@@ -56,6 +56,18 @@ bool is_inside(typename boost::graph_traits<typename Diagram::Triangle_mesh>::ha
   return !is_border(h, tm) && !diagram.avoids_face(face(h, tm));
 }
 
+// Is the source of a halfedge on a wall? Takes time linear in its degree.
+template <typename Diagram>
+bool is_at_wall(typename boost::graph_traits<typename Diagram::Triangle_mesh>::halfedge_descriptor h,
+                const Diagram& diagram)
+{
+  const auto& tm = diagram.triangle_mesh();
+  for(const auto g : CGAL::halfedges_around_source(h, tm))
+    if(diagram.avoids_edge(edge(g, tm)))
+      return true;
+  return false;
+}
+
 // Does the surface of the diagram end at a halfedge that has a face inside: is there no face on the other side, or a
 // wall between?
 template <typename Diagram>

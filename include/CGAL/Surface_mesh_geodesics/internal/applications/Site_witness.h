@@ -36,7 +36,9 @@
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Lower_bound_function.h>
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Worst_violation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Surface_with_sources.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/One_block.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Face_parts.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Location_in_part.h>
@@ -49,7 +51,7 @@
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
-#include <boost/property_map/property_map.hpp>
+#include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
 #include <array>
@@ -95,7 +97,9 @@ public:
     : m_diagram(diagram), m_surface(diagram.triangle_mesh(), vim, fim),
       m_function(m_surface.mesh(), m_field.distance, m_windows)
   {
-    m_surface.avoid(Obstacles{flags_of_avoided_faces(fim), {}});
+    const auto avoids = boost::make_function_property_map<face_descriptor, bool>(
+      [&](face_descriptor f) { return diagram.avoids_face(f); });
+    m_surface.avoid(Obstacles{flags_of_avoided_faces(diagram.triangle_mesh(), fim, avoids), {}});
     m_surface.read(std::move(shape), One_block());
     m_largest_weight = -std::numeric_limits<double>::infinity();
     for(std::size_t i = 0; i < diagram.number_of_sites(); ++i)
@@ -230,15 +234,6 @@ private:
 
   double weight(std::size_t i) const { return CGAL::to_double(m_diagram.weight(i)); }
 
-  // By the index of a face; none if no face is avoided.
-  std::vector<char> flags_of_avoided_faces(FaceIndexMap fim) const
-  {
-    std::vector<char> flags(num_faces(m_diagram.triangle_mesh()), 0);
-    for(const face_descriptor f : faces(m_diagram.triangle_mesh()))
-      flags[std::size_t(get(fim, f))] = m_diagram.avoids_face(f) ? 1 : 0;
-    return std::count(flags.begin(), flags.end(), 1) > 0 ? flags : std::vector<char>();
-  }
-
   // Does the same for another part of the user's face in which the place is.
   bool find_in_part(const Witness_place& place, Face_id f, Planar_point<double>& p) const
   {
@@ -260,8 +255,7 @@ private:
 
   Planar_point<double> point_of_face(Face_id f, const Barycentric<double>& b) const
   {
-    const std::array<Planar_point<double>, 3> corner = layout_of_face(mesh().face(f));
-    return {b[1] * corner[1].x + b[2] * corner[2].x, b[2] * corner[2].y};
+    return point_of_triangle(layout_of_face(mesh().face(f)), b);
   }
 
   // A vertex is found in the face of one of its halfedges.

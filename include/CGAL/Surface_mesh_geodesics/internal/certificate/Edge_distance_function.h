@@ -18,6 +18,7 @@
 // three parts: the family over its interval, and on either side of it paths that go on from there. add_part() finds out
 // whether a part is better anywhere, merge() and append_lower() put it into the sequence.
 
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
 
 #include <CGAL/assertions.h>
@@ -43,6 +44,16 @@ struct Distance_piece
   // The value at the abscissa t.
   FT at(const FT& t) const { return offset + norm<FT>(t - x, depth); }
 };
+
+// Does one look at the middle of an interval show that a piece is greater there everywhere than another one? Each of
+// both functions changes by at most the length of the way. A margin covers rounding. Most comparisons end here.
+template <typename FT>
+bool is_greater_everywhere(const Distance_piece<FT>& piece, const Distance_piece<FT>& other, const FT& begin,
+                           const FT& end)
+{
+  const FT middle = begin + (end - begin) / 2, value = other.at(middle);
+  return piece.at(middle) - value > (end - begin) + Tolerance<FT>::gap() * value;
+}
 
 // Returns the abscissas where the difference of the distances from two images may turn from growing to shrinking. There
 // are at most two; those that do not exist are NaN or lie outside.
@@ -157,31 +168,17 @@ private:
     m_pieces.swap(m_buffer);
   }
 
-  // Returns whether the intervals have a common interval that is not a point.
-  static bool do_overlap(const Piece& part, const Piece& old)
-  {
-    return (std::max)(part.begin, old.begin) < (std::min)(part.end, old.end);
-  }
-
   // Is the part less than the old piece somewhere in their common interval, by more than rounding? The difference is
   // monotone between breakpoints, so that it is enough to look at these.
   static bool is_clearly_better(const Piece& part, const Piece& old)
   {
-    if(!do_overlap(part, old) || is_greater_everywhere(part, old))
+    const FT begin = (std::max)(part.begin, old.begin), end = (std::min)(part.end, old.end);
+    if(!(begin < end) || is_greater_everywhere(part, old, begin, end))
       return false;
     for(const FT& t : breakpoints(part, old))
       if(is_clearly_less<FT>(part.at(t), old.at(t)))
         return true;
     return false;
-  }
-
-  // Returns whether one look at the middle of the common interval shows that the part is greater everywhere: each of
-  // both functions changes by at most the length of the way. Most parts are rejected by that. A margin covers rounding.
-  static bool is_greater_everywhere(const Piece& part, const Piece& old)
-  {
-    const FT begin = (std::max)(part.begin, old.begin), end = (std::min)(part.end, old.end);
-    const FT middle = begin + (end - begin) / 2, value = old.at(middle);
-    return part.at(middle) - value > (end - begin) + Tolerance<FT>::gap() * value;
   }
 
   // Returns the ends of the common interval, and in order between them the turning points of the difference. Between

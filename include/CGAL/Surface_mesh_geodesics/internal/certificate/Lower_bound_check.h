@@ -227,9 +227,7 @@ private:
       return;
     using std::abs;
     const Piece limit = {first, last, side.along(image), FT(abs(side.across(image))), offset};
-    // Each of both changes by at most the length of the way: one look at the middle decides most cases.
-    const FT middle = first + (last - first) / 2, at_middle = p.at(middle);
-    if(limit.at(middle) - at_middle > (last - first) + Tolerance<FT>::gap() * at_middle)
+    if(is_greater_everywhere(limit, p, first, last))
     {
       m_worst.number_of_checks += 1;
       return;

@@ -17,6 +17,7 @@
 
 #include <CGAL/assertions.h>
 
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -29,6 +30,14 @@ struct Planar_point
 {
   FT x = 0, y = 0;
 };
+
+// Returns the point of a triangle with barycentric coordinates b.
+template <typename FT>
+Planar_point<FT> point_of_triangle(const std::array<Planar_point<FT>, 3>& corner, const std::array<FT, 3>& b)
+{
+  return {FT(b[0] * corner[0].x + b[1] * corner[1].x + b[2] * corner[2].x),
+          FT(b[0] * corner[0].y + b[1] * corner[1].y + b[2] * corner[2].y)};
+}
 
 // Are the corners of a triangle on one line, up to rounding? `longest` is its longest side. The answer does not depend
 // on the unit of length.

@@ -536,13 +536,7 @@ private:
   {
     if(q.vertex != null_id)
       return m_complex.owner(q.vertex);
-    const auto corner = m_complex.layout(q.face);
-    Planar_point<double> p;
-    for(unsigned int k = 0; k < 3; ++k)
-    {
-      p.x += q.coordinates[k] * corner[k].x;
-      p.y += q.coordinates[k] * corner[k].y;
-    }
+    const Planar_point<double> p = point_of_triangle(m_complex.layout(q.face), q.coordinates);
     return Cell_locator<double>(m_complex, q.face, p).cell();
   }
 
