@@ -25,6 +25,7 @@ ANGLE_SUM = INTERNAL + "numeric/Angle_sum.h"
 FIRST_WINDOW = INTERNAL + "window/window_of_pseudo_source.h"
 STARS = INTERNAL + "propagation/Star_propagation.h"
 SECTOR = INTERNAL + "propagation/Emission_sector.h"
+NORMALS = INTERNAL + "propagation/Sector_between_normals.h"
 WAVEFRONT = INTERNAL + "propagation/Wavefront.h"
 SOURCES = INTERNAL + "surface/Source_insertion.h"
 PARALLEL = INTERNAL + "propagation/parallel/Parallel_distance_propagation.h"
@@ -34,6 +35,8 @@ VERTEX_RECORDS = INTERNAL + "propagation/parallel/Vertex_records.h"
 SHARING = INTERNAL + "propagation/parallel/Work_sharing.h"
 FARTHEST = INTERNAL + "surface/Farthest_vertex_queue.h"
 STRIP = INTERNAL + "window/strips/Strip.h"
+STRIP_SPLITTING = INTERNAL + "window/lanes/strip_splitting.h"
+STRIP_LOOPS = INTERNAL + "window/lanes/Strip_loops.h"
 STRIP_FRONT = INTERNAL + "propagation/curves/Strip_front.h"
 CURVE_RUN = INTERNAL + "propagation/curves/Curve_run.h"
 CURVE_ARRIVALS = INTERNAL + "window/strips/Curve_arrivals.h"
@@ -1052,31 +1055,45 @@ MUTANTS = [
 
     # --- curves as sources ---
 
-    ("strip_trimmed_from_left", STRIP,
-     "slope_left = 1 - left.factor * s.direction_x;", "slope_left = 1 + left.factor * s.direction_x;",
+    ("strip_trimmed_from_left", STRIP_SPLITTING,
+     "slope_left = one - L::rounded_product", "slope_left = one + L::rounded_product",
      "a vertex beats rays that are shorter than the way by it", (CURVES, HOSTILE_CURVES)),
-    ("strip_trimmed_from_right", STRIP,
-     "slope_right = 1 + right.factor * s.direction_x;", "slope_right = 1 - right.factor * s.direction_x;",
+    ("strip_trimmed_from_right", STRIP_SPLITTING,
+     "slope_right = one + L::rounded_product", "slope_right = one - L::rounded_product",
      "the same from the other end of the edge", (CURVES, HOSTILE_CURVES)),
-    ("strip_turned_to_wrong_side", STRIP,
-     "s.direction_x * angle.cosine + s.direction_y * angle.sine;",
-     "s.direction_x * angle.cosine - s.direction_y * angle.sine;",
+    ("strip_turned_to_wrong_side", STRIP_SPLITTING,
+     "                  + L::rounded_product(s.direction_y, side.angle.sine);",
+     "                  - L::rounded_product(s.direction_y, side.angle.sine);",
      "parallel rays bend where they cross an edge to the left", (CURVES,)),
-    ("strip_cut_at_apex", STRIP,
-     "s.end = end >= apex ? c.left_length :", "s.end = end >= apex ? c.left_length / 2 :",
+    ("strip_cut_at_apex", STRIP_SPLITTING,
+     "s.end = L::select(L::less_equal(apex, end), length,", "s.end = L::select(L::less_equal(apex, end), length / 2,",
      "rays next to the apex get lost", (CURVES,)),
-    ("strip_distance_from_wrong_end", STRIP,
-     "s.distance = at_target - s.direction_x * c.right_length;", "s.distance = at_target;",
+    ("strip_distance_from_wrong_end", STRIP_SPLITTING,
+     "s.distance = at_target - L::rounded_product(s.direction_x, side.length);", "s.distance = at_target;",
      "distances of rays that cross to the right are those at the other end of the edge", (CURVES,)),
-    ("strip_foot_from_wrong_end", STRIP,
-     "s.foot = foot_of_target - s.direction_y * c.right_length;", "s.foot = foot_of_target;",
+    ("strip_foot_from_wrong_end", STRIP_SPLITTING,
+     "s.foot = foot_of_target - L::rounded_product(height, side.length);", "s.foot = foot_of_target;",
      "the feet of rays that cross to the right are wrong", (CURVES,)),
     ("strip_split_by_path_from_elsewhere", STRIP_FRONT,
-     "is_longer = comes_across && known <", "is_longer = known <",
+     "known = arrival.halfedge == h ?", "known = arrival.halfedge != null_id ?",
      "a path that enters the face across another edge decides which rays go on", (CURVES, HOSTILE_CURVES)),
-    ("strip_to_left_cut_too_far", STRIP_FRONT,
-     "is_longer ? (std::min)(apex, arrival.abscissa) : apex))", "is_longer ? s.begin : apex))",
+    ("strip_to_left_cut_too_far", STRIP_SPLITTING,
+     "last = L::select(is_longer, L::minimum(apex, L::all(side.cut)), apex);",
+     "last = L::select(is_longer, s.begin, apex);",
      "rays on the left of a better path to the apex get lost", (CURVES, HOSTILE_CURVES)),
+    ("strips_beyond_the_apex", STRIP_LOOPS,
+     "L::less(L::all(side.known), L::load(strips.apex_distance() + i))", "L::first(L::size)",
+     "a tie at the apex takes rays away", (CURVES, HOSTILE_CURVES)),
+    ("nothing_beside_normals", NORMALS,
+     "m_slope = Tolerance<FT>::beside_normal();", "m_slope = -Tolerance<FT>::beside_normal();",
+     "next to the normals no window and no strip is known", (HOSTILE_CURVES, CURVES, VORONOI_OF_CURVES)),
+    ("sector_of_farther_curves", NORMALS,
+     "found->halfedge == h && !(star.distance < found->offset);", "found->halfedge == h;",
+     "a source on a curve with an offset emits between the normals of the curve only", (CURVES, HOSTILE_CURVES)),
+    ("sector_on_wrong_side_of_normal", NORMALS,
+     "FT& taken = is_counterclockwise ? part.rest : part.begin;",
+     "FT& taken = is_counterclockwise ? part.begin : part.rest;",
+     "what is taken out of a face is the wrong end of its edge", (EMISSION, CURVES)),
     ("bent_ray_taken_for_straight", STRIP,
      "FT(up_to_edge + norm<FT>(x - abscissa, y));", "distance_of_ray(s, x, y);",
      "the apex gets the length of a ray that is not there", (CURVES,)),
@@ -1089,9 +1106,10 @@ MUTANTS = [
     ("foot_counted_from_wrong_end", CURVE_ARRIVALS,
      "foot.side % 2 == 0 ? along : FT(1 - along)", "foot.side % 2 != 0 ? along : FT(1 - along)",
      "the nearest point of a segment is mirrored", (CURVES,)),
-    ("rays_turned_by_lengths", STRIP,
-     "const FT height = s.direction_y * angle.cosine + s.direction_x * angle.sine;",
-     "const FT height = s.direction_y * (c.length - apex) / c.right_length;",
+    ("rays_turned_by_lengths", STRIP_SPLITTING,
+     """const Number height = L::rounded_product(s.direction_y, side.angle.cosine)
+                        + L::rounded_product(s.direction_x, side.angle.sine);""",
+     "const Number height = s.direction_y * (L::all(side.edge_length) - apex) / side.length;",
      "beside a short edge, rays turn by a wrong angle, and distances are too small", (HOSTILE_CURVES,)),
     ("sector_as_certain_as_its_distance", SECTOR,
      "(star.distance + reach)", "star.distance",

@@ -1,12 +1,15 @@
 // A pseudo-source emits windows exactly into the faces in which a shortest path may continue. No shortest path through
-// the vertex enters a face that lies within half a turn of the direction of arrival, on either side of it.
+// the vertex enters a face that lies within half a turn of the direction of arrival, on either side of it. A vertex of
+// a curve emits between the normals of the curve only.
 
 #include "intrinsic_mesh_helpers.h"
 #include "test_meshes.h"
 #include "test_support.h"
 
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/curves/Strip_front.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -28,6 +31,7 @@ struct Emission
   Vertex_id vertex;
   internal::Face_id face;
   double distance;
+  internal::Window<double> window;
 };
 
 // Receives all windows that are propagated. A window that has not crossed a face is new.
@@ -43,7 +47,7 @@ public:
       const internal::Window<double> w = list.columns.get(i);
       if(w.number_of_faces_crossed() == 0)
       {
-        m_emissions->push_back(Emission{w.root, internal::face_of(m_mesh->opposite(h)), w.root_distance});
+        m_emissions->push_back(Emission{w.root, internal::face_of(m_mesh->opposite(h)), w.root_distance, w});
       }
     }
   }
@@ -149,10 +153,139 @@ void windows_start_where_paths_bend(std::uint64_t seed)
   CHECK(100 * counts.of_first_face <= counts.emissions);
 }
 
+// --- curves ---
+
+// A star of a vertex, with the angle of each halfedge from the first one. Requires: the vertex is not pinched.
+struct Angles
+{
+  std::vector<Halfedge_id> halfedges; // that leave the vertex and have a face
+  std::vector<double> angles;         // one more than halfedges: the last one is the sum of all angles
+  bool is_closed;
+
+  Angles(const Intrinsic_mesh& mesh, Vertex_id v) : angles(1, 0.)
+  {
+    const Halfedge_id first = mesh.halfedge(v);
+    Halfedge_id h = first;
+    for(; h != internal::null_id && (h != first || halfedges.empty()); h = mesh.next_around_source(h))
+    {
+      halfedges.push_back(h);
+      angles.push_back(angles.back() + angle_of_corner(mesh, h));
+    }
+    is_closed = h != internal::null_id;
+  }
+
+  double difference(double a, double b) const
+  {
+    const double d = std::abs(a - b);
+    return is_closed ? (std::min)(d, angles.back() - d) : d;
+  }
+};
+
+using Edges = std::vector<internal::Source_edge<double>>;
+
+// The smallest angle between an edge of the curves at a vertex and a path of a window that it has emitted.
+double smallest_angle(const Intrinsic_mesh& mesh, const Edges& edges, const Emission& e)
+{
+  const Angles star(mesh, e.vertex);
+  double smallest = Field::infinity();
+  for(std::size_t i = 0; i < star.halfedges.size(); ++i)
+  {
+    if(internal::face_of(star.halfedges[i]) != e.face)
+      continue;
+    // The window is in the frame of ba; seen from v, b is on its left.
+    const internal::Face_frame<double> c = mesh.face_frame(internal::next_halfedge(star.halfedges[i]));
+    for(const double x : {e.window.begin, e.window.end})
+    {
+      const double ax = -c.apex_x, y = -c.apex_y, px = c.length - x - c.apex_x;
+      const double angle = star.angles[i] + std::atan2(ax * y - y * px, ax * px + y * y);
+      for(std::size_t k = 0; k < star.angles.size(); ++k)
+        for(const auto& edge : edges)
+        {
+          const Halfedge_id h = k < star.halfedges.size() ? star.halfedges[k]
+                                                          : internal::previous_halfedge(star.halfedges[k - 1]);
+          if(h == edge.left || h == edge.right)
+            smallest = (std::min)(smallest, star.difference(angle, star.angles[k]));
+        }
+    }
+  }
+  return smallest;
+}
+
+// The windows that vertices of curves emit.
+std::vector<Emission> emissions_of_curves(const Intrinsic_mesh& mesh, const std::vector<Halfedge_id>& halfedges,
+                                          Edges& edges)
+{
+  internal::Source_curves<double> curves;
+  for(const Halfedge_id h : halfedges)
+  {
+    curves.edges.push_back(internal::Source_edge<double>{h, mesh.opposite(h), mesh.source(h), mesh.target(h),
+                                                         mesh.length(h), 0, 0, 0, 0, 1});
+    for(const Vertex_id v : {mesh.source(h), mesh.target(h)})
+      curves.vertices.push_back(internal::Source_vertex<double>{v, 0, {0, 0, 0}});
+  }
+  edges = curves.edges;
+  Field field;
+  std::vector<Emission> emissions, of_curves;
+  internal::Distance_propagation<double, internal::All_pruning_rules, Recorder, internal::Strip_front<double>>
+    propagation(mesh, field, Recorder(mesh, emissions));
+  propagation.restart();
+  propagation.add_curves(curves);
+  CHECK(propagation.run([](std::size_t, double) { return true; }));
+  for(const Emission& e : emissions)
+    if(e.distance == 0)
+      of_curves.push_back(e);
+  return of_curves;
+}
+
+void curves_emit_between_their_normals(std::uint64_t seed)
+{
+  test_support::Random random(seed);
+  const double right_angle = std::acos(0.);
+  std::size_t number = 0;
+  for(const Indexed_mesh& indexed : {rough_terrain(12, .3, seed), noisy_sphere(3, .2, seed), saddle_patch(10),
+                                     jittered(genus_2_polycube(), .05, seed)})
+  {
+    const Intrinsic_mesh mesh = intrinsic_mesh(to_face_graph(indexed));
+    std::vector<Halfedge_id> halfedges;
+    for(int i = 0; i < 10; ++i)
+      halfedges.push_back(internal::halfedge_of(static_cast<internal::Face_id>(random.index(mesh.number_of_faces())),
+                                                static_cast<unsigned int>(random.index(3))));
+    Edges edges;
+    for(const Emission& e : emissions_of_curves(mesh, halfedges, edges))
+    {
+      ++number;
+      CHECK(smallest_angle(mesh, edges, e) > right_angle - 1.001 / 1024);
+    }
+  }
+  CHECK(number > 100);
+}
+
+// A square has no bend to the outside, seen from its inside: its border emits no window.
+void straight_borders_emit_nothing()
+{
+  for(const std::size_t n : {4u, 7u})
+  {
+    const Intrinsic_mesh mesh = intrinsic_mesh(to_face_graph(flat_patch(n, n, 0., false, 1)));
+    std::vector<Halfedge_id> border;
+    for(std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+      for(unsigned int k = 0; k < 3; ++k)
+      {
+        const Halfedge_id h = internal::halfedge_of(static_cast<internal::Face_id>(f), k);
+        if(mesh.opposite(h) == internal::null_id)
+          border.push_back(h);
+      }
+    CHECK_EQUAL(border.size(), 4 * n);
+    Edges edges;
+    CHECK_EQUAL(emissions_of_curves(mesh, border, edges).size(), std::size_t(0));
+  }
+}
+
 } // namespace
 
 int main()
 {
   windows_start_where_paths_bend(test_support::announce_seed(20261123));
+  curves_emit_between_their_normals(20261126);
+  straight_borders_emit_nothing();
   return test_result();
 }

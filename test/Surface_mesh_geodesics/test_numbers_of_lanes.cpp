@@ -7,6 +7,7 @@
 #include "test_support.h"
 
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/curves/Strip_front.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Window_list_loops.h>
 
 #include <cstddef>
@@ -39,6 +40,22 @@ Outcome propagate(const Intrinsic_mesh& mesh, const Sources& sources, internal::
   {
     propagation.add_source(source.first, source.second);
   }
+  CHECK(propagation.run([](std::size_t, double) { return true; }));
+  outcome.statistics = propagation.statistics();
+  return outcome;
+}
+
+// The same from edges of the mesh: strips, and windows from the ends of the edges.
+Outcome propagate(const Intrinsic_mesh& mesh, const internal::Source_curves<double>& curves,
+                  internal::Lane_choice choice)
+{
+  Outcome outcome;
+  outcome.field.keeps_images = true;
+  internal::Distance_propagation<double, internal::All_pruning_rules, internal::No_window_keeper,
+                                 internal::Strip_front<double>>
+    propagation(mesh, outcome.field, internal::No_window_keeper(), choice);
+  propagation.restart();
+  propagation.add_curves(curves);
   CHECK(propagation.run([](std::size_t, double) { return true; }));
   outcome.statistics = propagation.statistics();
   return outcome;
@@ -77,22 +94,48 @@ struct Without_vertex_rule : internal::All_pruning_rules
   static constexpr bool vertex_rule = false;
 };
 
-template <class Rules>
-void check_that_lanes_agree(const Intrinsic_mesh& mesh, const Sources& sources)
+// propagate_with(choice) returns the outcome with a number of lanes.
+template <class PropagateWith>
+void check_that_lanes_agree(PropagateWith propagate_with)
 {
-  const Outcome expected = propagate<Rules>(mesh, sources, internal::Lane_choice::ONE);
+  const Outcome expected = propagate_with(internal::Lane_choice::ONE);
   {
     test_support::Scope scope("at most two lanes");
-    check_same(propagate<Rules>(mesh, sources, internal::Lane_choice::TWO), expected);
+    check_same(propagate_with(internal::Lane_choice::TWO), expected);
   }
   {
     test_support::Scope scope("at most four lanes");
-    check_same(propagate<Rules>(mesh, sources, internal::Lane_choice::FOUR), expected);
+    check_same(propagate_with(internal::Lane_choice::FOUR), expected);
   }
   {
     test_support::Scope scope("the lanes of the processor");
-    check_same(propagate<Rules>(mesh, sources, internal::Lane_choice::BEST), expected);
+    check_same(propagate_with(internal::Lane_choice::BEST), expected);
   }
+}
+
+template <class Rules>
+void check_that_lanes_agree(const Intrinsic_mesh& mesh, const Sources& sources)
+{
+  check_that_lanes_agree([&](internal::Lane_choice choice) { return propagate<Rules>(mesh, sources, choice); });
+}
+
+// Every edge has its own offset: where one edge is nearer, it beats a part of the strips of another one.
+internal::Source_curves<double> random_edges(const Intrinsic_mesh& mesh, std::size_t n, test_support::Random& random)
+{
+  internal::Source_curves<double> curves;
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    const std::size_t f = random.index(mesh.number_of_faces());
+    const internal::Halfedge_id h
+      = internal::halfedge_of(static_cast<internal::Face_id>(f), static_cast<unsigned int>(random.index(3)));
+    const double offset = i == 0 ? 0. : random.uniform(0., .1);
+    curves.edges.push_back(internal::Source_edge<double>{h, mesh.opposite(h), mesh.source(h), mesh.target(h),
+                                                         mesh.length(h), offset, 0, static_cast<std::uint32_t>(i), 0,
+                                                         1});
+    for(const internal::Vertex_id v : {mesh.source(h), mesh.target(h)})
+      curves.vertices.push_back(internal::Source_vertex<double>{v, offset, {0, static_cast<std::uint32_t>(i), 0}});
+  }
+  return curves;
 }
 
 void all_numbers_of_lanes_give_the_same_results(const Indexed_mesh& indexed, test_support::Random& random)
@@ -105,6 +148,11 @@ void all_numbers_of_lanes_give_the_same_results(const Indexed_mesh& indexed, tes
     sources.emplace_back(static_cast<internal::Vertex_id>(random.index(mesh.number_of_vertices())),
                          random.uniform(0., .1));
     check_that_lanes_agree<internal::All_pruning_rules>(mesh, sources);
+  }
+  const internal::Source_curves<double> curves = random_edges(mesh, 5, random);
+  {
+    test_support::Scope scope_of_curves("from edges");
+    check_that_lanes_agree([&](internal::Lane_choice choice) { return propagate(mesh, curves, choice); });
   }
   if(mesh.number_of_faces() <= 400)
   {

@@ -102,6 +102,12 @@ struct Tolerance
   // pseudo-source. Larger than the excess of a vertex angle that angle() ignores.
   static FT direction() { return 8 * angle(); }
 
+  // A slope: how far the windows of a vertex of a curve reach beyond the normals of the curve. There, paths from the
+  // vertex are longer than rays beside it by the square of the angle only, and both have to be known where arcs of a
+  // diagram run along a normal. Far above what rounding turns directions by in slivers; wider windows cost next to
+  // nothing.
+  static FT beside_normal() { return FT(1) / 1024; }
+
   // Relative to the length of an edge: the depth of an image that lies on the edge itself (the apex of a triangle
   // without area). Its square vanishes beside the square of the length.
   static FT depth()

@@ -51,7 +51,7 @@ struct No_strips
   static constexpr bool exist = false;
 
   template <typename Mesh, typename Field>
-  No_strips(const Mesh&, const Field&)
+  No_strips(const Mesh&, const Field&, Lane_choice)
   {}
 };
 
@@ -80,7 +80,7 @@ public:
   // that is propagated, and the distance reached before each visit of a vertex.
   Distance_propagation(const Mesh& mesh, Field& field, Keeper keeper = Keeper(), Lane_choice lanes = Lane_choice::BEST)
     : m_mesh(mesh), m_wavefront(mesh, field), m_queue(mesh.number_of_vertices()),
-      m_stars(mesh, field.distance, keeper, lanes), m_strips(mesh, field)
+      m_stars(mesh, field.distance, keeper, lanes), m_strips(mesh, field, lanes)
   {}
 
   // Removes the sources, distances, limits and statistics of the last run. The mesh may have changed since.
@@ -95,7 +95,10 @@ public:
     m_stars.set_maximum_distance(Field::infinity());
     m_end = Stopping_criterion<FT>();
     if constexpr(Strips::exist)
+    {
+      m_stars.set_source_edges(std::vector<Source_edge<FT>>());
       m_strips.restart();
+    }
   }
 
   // Adds a source. Ignores a source that is not nearer to its vertex than earlier ones.
@@ -121,6 +124,7 @@ public:
   void add_curves(const Curves& curves)
   {
     static_assert(Strips::exist, "curves need a propagation with strips");
+    m_stars.set_source_edges(curves.edges);
     m_strips.start(curves, m_wavefront, pusher());
   }
 

@@ -10,33 +10,36 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_EMISSION_SECTOR_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_EMISSION_SECTOR_H
 
-// The faces around a pseudo-source into which it emits windows.
+// The directions in which a pseudo-source emits windows.
 //
 // A shortest path that passes a vertex has an angle of at least pi on both sides (thesis, lemma 3.1). Of the faces
 // around a pseudo-source, only those that reach into such directions are needed, as seen from the path that arrives at
 // the vertex. The thesis emits into all faces (4.3.2, "Saddle Vertices"); leaving faces out changes no distance, since
 // no shortest path runs through the windows that are not made.
+//
+// A vertex of a source curve, at which no path arrives, has another sector (Sector_between_normals.h).
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Angle_sum.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Sector_between_normals.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Vertex_star.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Window.h>
 
 #include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// The sector of one vertex at a time: the buffer is reused. Invariant: after find(star) there is a flag for each face
+// The sector of one vertex at a time: the buffers are reused. Invariant: after find(star) there is a flag for each face
 // of the star, until the next call of find().
 template <typename FT>
 class Emission_sector
@@ -45,12 +48,15 @@ class Emission_sector
   using Star = Vertex_star<FT>;
 
 public:
-  explicit Emission_sector(const Mesh& mesh) : m_mesh(mesh) {}
+  explicit Emission_sector(const Mesh& mesh) : m_mesh(mesh), m_between_normals(mesh) {}
+
+  // The sectors of vertices of curves. It is told the edges of the curves.
+  Sector_between_normals<FT>& between_normals() { return m_between_normals; }
 
   // Finds the sector of the vertex of a star. Linear in the number of faces. Requires: star.emits.
   //
   // Four kinds of vertices emit into all faces:
-  // - a source, at which no path arrives;
+  // - a source that is on no curve: no path arrives at it;
   // - a pinched vertex: angles are measured within one umbrella only;
   // - a degenerate vertex, whose angles carry no information;
   // - a vertex that has emitted before: an improvement of its distance by little more than rounding may come with an
@@ -60,20 +66,17 @@ public:
   void find(const Star& star)
   {
     CGAL_expensive_assertion(star.emits);
-    const Halfedge_id across = star.arrival.halfedge;
-    const std::size_t first = across == null_id || star.has_emitted || star.is_degenerate
-                                  || m_mesh.has(star.vertex, Mesh::PINCHED)
-                                ? star.faces.size()
-                                : find_face(star, previous_halfedge(across));
     m_is_in_sector.assign(star.faces.size(), 1);
-    if(first == star.faces.size())
+    m_is_between_normals = false;
+    if(star.has_emitted || star.is_degenerate || m_mesh.has(star.vertex, Mesh::PINCHED))
       return;
-    const Face_frame<FT> c = m_mesh.face_frame(across);
-    const FT uncertainty = uncertainty_of_direction(c, star);
-    if(!(uncertainty < 1))
-      return;
-    m_slope = uncertainty + uncertainty * uncertainty * uncertainty; // >= tan(uncertainty)
-    take_out_hidden(star, first, c);
+    if(star.arrival.halfedge != null_id)
+      take_out_hidden(star);
+    else if(!m_between_normals.empty())
+    {
+      m_is_between_normals = true;
+      m_between_normals.find(star, m_is_in_sector);
+    }
   }
 
   // Is a face of the star in the sector? The face is given by its index in the star of the last call of find().
@@ -81,6 +84,14 @@ public:
   {
     CGAL_expensive_assertion(face < m_is_in_sector.size());
     return m_is_in_sector[face] != 0;
+  }
+
+  // Trims a window of the vertex to its sector, and returns whether there is any of it. The window lies on the whole
+  // edge, of the given length, opposite to the vertex in the face. Only vertices of curves trim their windows: other
+  // sectors are made of whole faces.
+  bool trim(std::size_t face, const FT& length, Window<FT>& w) const
+  {
+    return !m_is_between_normals || m_between_normals.trim(face, length, w);
   }
 
 private:
@@ -94,10 +105,18 @@ private:
   }
 
   // Takes out the faces that lie wholly within an angle of pi from the direction of arrival, counterclockwise or
-  // clockwise. `c` is the frame of the edge AB that the path of arrival crosses, in the face `first`; the vertex is its
-  // apex C. At a border the walk ends: each face lies on one side of the path only.
-  void take_out_hidden(const Star& star, std::size_t first, const Face_frame<FT>& c)
+  // clockwise. The path of arrival crosses the edge AB; the vertex is its apex C. At a border the walk ends: each face
+  // lies on one side of the path only.
+  void take_out_hidden(const Star& star)
   {
+    const std::size_t first = find_face(star, previous_halfedge(star.arrival.halfedge));
+    if(first == star.faces.size())
+      return;
+    const Face_frame<FT> c = m_mesh.face_frame(star.arrival.halfedge);
+    const FT uncertainty = uncertainty_of_direction(c, star);
+    if(!(uncertainty < 1))
+      return;
+    m_slope = uncertainty + uncertainty * uncertainty * uncertainty; // >= tan(uncertainty)
     // Cross and dot product of the directions from C to A and to the crossing of the path with AB; then to B.
     const FT& x = star.arrival.abscissa;
     const FT cross_left = c.apex_y * x, dot_left = c.apex_x * (c.apex_x - x) + c.apex_y * c.apex_y;
@@ -113,25 +132,17 @@ private:
       f = star.faces[f].next;
       if(f == first || f == null_id)
         break;
-      add_corner(star, f, angle);
+      add_corner(m_mesh, star.faces[f].halfedge, angle);
     }
     angle = Angle_sum<FT>();
     angle.add(dot_left, cross_left);
     for(f = star.faces[first].previous; f != null_id && f != first; f = star.faces[f].previous)
     {
-      add_corner(star, f, angle);
+      add_corner(m_mesh, star.faces[f].halfedge, angle);
       if(is_beyond(angle))
         break;
       m_is_in_sector[f] = 0;
     }
-  }
-
-  // Adds the angle of face f at the vertex.
-  void add_corner(const Star& star, std::uint32_t f, Angle_sum<FT>& angle) const
-  {
-    const Halfedge_id h = star.faces[f].halfedge;
-    const std::pair<FT, FT> corner = angle_direction(m_mesh.face(face_of(h)), index_in_face(h));
-    angle.add(corner.first, corner.second);
   }
 
   // Is the angle at least pi - t, where tan t = m_slope? Requires: the angle is less than 2 pi. It is the sum of an
@@ -169,6 +180,8 @@ private:
 
   const Mesh& m_mesh;
   std::vector<unsigned char> m_is_in_sector; // by face of the star
+  Sector_between_normals<FT> m_between_normals;
+  bool m_is_between_normals = false;         // is the sector that of a vertex of a curve?
   FT m_slope = 0;                            // tangent of the uncertainty
 };
 

@@ -89,6 +89,14 @@ public:
   // Resets the statistics. The pool keeps its memory for the next run.
   void restart() { m_statistics = Propagation_statistics(); }
 
+  // Tells the edges of the curves that are sources; their vertices emit between the normals of the curves only. The
+  // last call counts, also after restart(): without curves the range is empty.
+  template <typename Edges>
+  void set_source_edges(const Edges& edges)
+  {
+    m_sector.between_normals().set_source_edges(edges);
+  }
+
   // Drops each list whose windows are all farther away than d. Requires: d >= 0.
   void set_maximum_distance(const FT& d)
   {
@@ -139,8 +147,8 @@ private:
     }
   }
 
-  // Emits a window from the vertex onto the opposite edge of each face of the sector, unless the edge is a border, has
-  // no length, or the window is beaten by the vertex a or b at once (rule of Xin and Wang 2009).
+  // Emits a window from the vertex onto the opposite edge of each face, as far as the sector reaches, unless the edge
+  // is a border, has no length, or the window is beaten by the vertex a or b at once (rule of Xin and Wang 2009).
   //
   // The window is in the frame of the halfedge ba, which belongs to the face beyond: seen from v, b is on the left. The
   // distances of its ends are those along the edges vb and va.
@@ -155,6 +163,8 @@ private:
       Window<FT> w;
       window_of_pseudo_source<FT>(c, star.distance, star.distance + c.right_length,
                                   star.distance + c.left_length, w);
+      if(!m_sector.trim(i, c.length, w))
+        continue;
       if(Rules::vertex_rule
          && is_beaten_by_vertices(w, c.length, star.links[f.second].rival(), star.links[f.first].rival()))
       {

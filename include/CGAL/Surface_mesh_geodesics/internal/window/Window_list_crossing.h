@@ -53,7 +53,7 @@ struct Corner_rivals
 template <typename FT, typename Rules>
 class Window_list_crossing
 {
-  using Loops = Loops_by_length<FT, Rules>;
+  using Loops = Loops_by_length<Window_list_loops<FT>>;
 
 public:
   // The shortest path to C through the list.
@@ -68,7 +68,8 @@ public:
 
   Window_list_crossing(const Intrinsic_mesh<FT>& mesh, const std::vector<FT>& distance,
                        Propagation_statistics& statistics, Lane_choice lanes = Lane_choice::BEST)
-    : m_mesh(mesh), m_distance(distance), m_statistics(statistics), m_loops(lanes)
+    : m_mesh(mesh), m_distance(distance), m_statistics(statistics),
+      m_loops(lanes, window_list_loops<FT, Rules>)
   {}
 
   // Tells this object whether distances of pseudo-sources may have shrunk after their windows were made.

@@ -128,54 +128,12 @@ struct Window_list_loops
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL
 
-// One lane: for all number types, and for comparison. (one_lane.h has included the rules.)
-#define CGAL_SURFACE_MESH_GEODESICS_LANES 1
-#define CGAL_SURFACE_MESH_GEODESICS_LANES_NAMESPACE one_lane
-#include <CGAL/Surface_mesh_geodesics/internal/window/lanes/loops.h>
-#undef CGAL_SURFACE_MESH_GEODESICS_LANES
-#undef CGAL_SURFACE_MESH_GEODESICS_LANES_NAMESPACE
-
-// Two lanes: SSE2 or NEON, or pairs of doubles.
 #ifdef CGAL_SURFACE_MESH_GEODESICS_HAS_PAIRS
 #include <CGAL/Surface_mesh_geodesics/internal/window/Double_pair.h>
 #endif
-#if CGAL_SURFACE_MESH_GEODESICS_MOST_LANES > 1
-#define CGAL_SURFACE_MESH_GEODESICS_LANES 2
-#define CGAL_SURFACE_MESH_GEODESICS_LANES_NAMESPACE two_lanes
-#include <CGAL/Surface_mesh_geodesics/internal/window/lanes/all.h>
-#endif
-
-#if CGAL_SURFACE_MESH_GEODESICS_MOST_LANES > 2
-#ifdef __clang__
-#pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
-#else
-#pragma GCC push_options
-#pragma GCC target("avx2")
-#endif
-#define CGAL_SURFACE_MESH_GEODESICS_LANES 4
-#define CGAL_SURFACE_MESH_GEODESICS_LANES_NAMESPACE avx2_lanes
-#include <CGAL/Surface_mesh_geodesics/internal/window/lanes/all.h>
-#ifdef __clang__
-#pragma clang attribute pop
-#else
-#pragma GCC pop_options
-#endif
-
-#ifdef __clang__
-#pragma clang attribute push(__attribute__((target("avx512f,avx512bw,avx512dq,avx512vl"))), apply_to = function)
-#else
-#pragma GCC push_options
-#pragma GCC target("avx512f,avx512bw,avx512dq,avx512vl")
-#endif
-#define CGAL_SURFACE_MESH_GEODESICS_LANES 8
-#define CGAL_SURFACE_MESH_GEODESICS_LANES_NAMESPACE avx512_lanes
-#include <CGAL/Surface_mesh_geodesics/internal/window/lanes/all.h>
-#ifdef __clang__
-#pragma clang attribute pop
-#else
-#pragma GCC pop_options
-#endif
-#endif
+#define CGAL_SURFACE_MESH_GEODESICS_LANES_TEXT <CGAL/Surface_mesh_geodesics/internal/window/lanes/loops.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/lanes/every_number.h>
+#undef CGAL_SURFACE_MESH_GEODESICS_LANES_TEXT
 
 namespace CGAL {
 namespace Surface_mesh_geodesics {
@@ -184,48 +142,60 @@ namespace internal {
 // The loops with the most lanes that pay on this processor, with at most four, with at most two, or with one.
 enum class Lane_choice { BEST, FOUR, TWO, ONE };
 
-// The loops of a choice. The same text in all files of a program, whatever their flags (simd.h).
+// How many lanes a choice has on this processor. The same in all files of a program, whatever their flags (simd.h).
+inline std::size_t number_of_lanes(Lane_choice choice)
+{
+#if CGAL_SURFACE_MESH_GEODESICS_MOST_LANES > 2
+  // The first processors with AVX-512 lower their clock when they use it. They lack its extension VBMI2.
+  if(choice == Lane_choice::BEST && __builtin_cpu_supports("avx512vbmi2"))
+    return 8;
+  if((choice == Lane_choice::BEST || choice == Lane_choice::FOUR) && __builtin_cpu_supports("avx2"))
+    return 4;
+#endif
+  const std::size_t most = CGAL_SURFACE_MESH_GEODESICS_MOST_LANES;
+  return choice == Lane_choice::ONE ? 1 : (std::min)(most, std::size_t(2));
+}
+
+// The loops over windows of a choice.
 template <typename FT, typename Rules>
 Window_list_loops<FT> window_list_loops(Lane_choice choice = Lane_choice::BEST)
 {
   if constexpr(std::is_same<FT, double>::value)
-  {
+    switch(number_of_lanes(choice))
+    {
 #if CGAL_SURFACE_MESH_GEODESICS_MOST_LANES > 2
-    // The first processors with AVX-512 lower their clock when they use it. They lack its extension VBMI2.
-    if(choice == Lane_choice::BEST && __builtin_cpu_supports("avx512vbmi2"))
+    case 8:
       return avx512_lanes::List_loops<FT, Rules>::table();
-    if((choice == Lane_choice::BEST || choice == Lane_choice::FOUR) && __builtin_cpu_supports("avx2"))
+    case 4:
       return avx2_lanes::List_loops<FT, Rules>::table();
 #endif
 #if CGAL_SURFACE_MESH_GEODESICS_MOST_LANES > 1
-    if(choice != Lane_choice::ONE)
+    case 2:
       return two_lanes::List_loops<FT, Rules>::table();
 #endif
-  }
+    default:
+      break;
+    }
   static_cast<void>(choice);
   return one_lane::List_loops<FT, Rules>::table();
 }
 
-// Call the object with the number of windows that a loop will process; it returns the table to use.
+// Call the object with the number of windows, or strips, that a loop will process; it returns the table to use.
 //
 // The loops for lists of any length. Lists of one window pay for vectors and gain nothing; lists of up to four windows
 // gain nothing from eight lanes. With many sources, most lists are that short.
-template <typename FT, typename Rules>
+template <typename Loops>
 class Loops_by_length
 {
-  using Loops = Window_list_loops<FT>;
-
 public:
-  explicit Loops_by_length(Lane_choice choice)
-    : m_many(window_list_loops<FT, Rules>(choice)),
-      m_few(choice == Lane_choice::BEST ? window_list_loops<FT, Rules>(Lane_choice::FOUR) : m_many),
-      m_one(window_list_loops<FT, Rules>(Lane_choice::ONE))
+  // loops(choice) is the table of a choice.
+  template <typename LoopsOfChoice>
+  Loops_by_length(Lane_choice choice, LoopsOfChoice loops)
+    : m_many(loops(choice)), m_few(choice == Lane_choice::BEST ? loops(Lane_choice::FOUR) : m_many),
+      m_one(loops(Lane_choice::ONE))
   {}
 
-  const Loops& operator()(std::size_t number_of_windows) const
-  {
-    return number_of_windows > 4 ? m_many : number_of_windows > 1 ? m_few : m_one;
-  }
+  const Loops& operator()(std::size_t number) const { return number > 4 ? m_many : number > 1 ? m_few : m_one; }
 
   // The largest number of lanes of these loops.
   std::size_t lanes() const { return m_many.lanes; }

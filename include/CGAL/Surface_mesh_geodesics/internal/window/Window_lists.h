@@ -103,6 +103,8 @@ struct Window_columns
     history()[i] = w.history();
   }
 
+  void copy_row(std::size_t from, std::size_t to) const { set(to, get(from)); }
+
   // Copies the windows [first, last) of another block to the rows from i on, and the rows behind them up to a full
   // step: the padding of both blocks holds these.
   void copy(const Window_columns& from, std::size_t first, std::size_t last, std::size_t i) const

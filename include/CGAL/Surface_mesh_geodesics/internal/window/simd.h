@@ -100,6 +100,22 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+// Closes the gaps in one step of rows: moves the rows whose bits are set to consecutive ones from `first` on, in their
+// order. Returns the end of these rows.
+template <typename Columns>
+std::size_t keep_rows(Columns& columns, std::size_t first, unsigned int useful)
+{
+  std::size_t end = first;
+  for(std::size_t i = first; useful != 0; ++i, useful >>= 1)
+    if((useful & 1) != 0)
+    {
+      if(end != i)
+        columns.copy_row(i, end);
+      ++end;
+    }
+  return end;
+}
+
 // One lane, which is a plain number: the operations that Lanes<FT> has for any number of lanes.
 template <typename FT>
 struct One_lane

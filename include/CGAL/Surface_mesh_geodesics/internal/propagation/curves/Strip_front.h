@@ -22,9 +22,13 @@
 // segment SC is needed beyond it: at the crossing Q, D(Q) >= D(C) - |QC| >= d(C) - |QC| = d(Q), as D grows by at most
 // |QC|. So only rays on the left of S go on to the left edge, and only rays on its right to the right edge. This
 // compares a strip with a path of any kind, and needs no order. Ties keep the strip.
+//
+// Time goes into memory, not into arithmetic: a list has been put long before it crosses, and is in no cache then. So
+// lists lie in a pool (Strip_pool.h), and while one of them crosses, the next one is fetched.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/memory_hints.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Wavefront.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Wavefront_queue.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
@@ -32,16 +36,19 @@
 #include <CGAL/Surface_mesh_geodesics/internal/surface/curves/Source_curves.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/unfolding.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Vertex_rival.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Window_list_loops.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/strips/Curve_arrivals.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/strips/Edge_strip_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/strips/Strip.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/strips/Strip_columns.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/strips/Strip_list_loops.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/strips/Strip_pool.h>
 
 #include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <vector>
 
 namespace CGAL {
@@ -65,7 +72,9 @@ public:
   static constexpr bool exist = true;
 
   // Both must outlive this object.
-  Strip_front(const Mesh& mesh, const Field& field) : m_mesh(mesh), m_field(field), m_queue(0) {}
+  Strip_front(const Mesh& mesh, const Field& field, Lane_choice lanes = Lane_choice::BEST)
+    : m_mesh(mesh), m_field(field), m_queue(0), m_loops(lanes, strip_list_loops<FT>)
+  {}
 
   // Removes all strips. The mesh may have changed since. Linear in the number of halfedges on which strips have waited
   // at the same time, and in that of vertices and faces that are new.
@@ -79,7 +88,7 @@ public:
     m_free.clear();
     for(std::uint32_t i = 0; i < m_lists.size(); ++i)
     {
-      m_lists[i].clear();
+      m_pool.release(m_lists[i]);
       m_free.push_back(i);
     }
     m_queue.restart(4 * m_mesh.number_of_faces()); // halfedges take the place of vertices
@@ -126,36 +135,35 @@ public:
     CGAL_expensive_assertion(!empty());
     const Halfedge_id h = m_queue.top();
     m_queue.pop();
-    take(h);
+    // The halfedge that will probably be next is far away: what is known of it is fetched meanwhile, step by step.
+    const Halfedge_id next = m_queue.empty() ? h : m_queue.top();
+    prefetch(&m_slot[next]);
+    prefetch(&m_mesh.face(face_of(next)));
+    const std::size_t taken = take(h);
     const Face_frame<FT> c = m_mesh.face_frame(h);
-    const bool are_windows_stale = enter(h, c, wavefront, push);
+    const Vertex_rival<FT> a = rival(c.origin), b = rival(c.target);
+    // Vertices may have become nearer since the strips were added.
+    const Entered_strips<FT> entered = m_loops(taken).enter(m_crossing, taken, c, a, b);
+    m_number_crossed += entered.number;
+    prefetch_list(next);
+    keep_for_queries(h, entered.number);
+    const bool are_windows_stale = entered.least_apex_distance < m_field.distance[c.apex]
+                                && improve_apex(entered.number, h, c, wavefront, push);
+    const std::size_t n = leave_out_oldest(entered.number);
     // All strips have improved the apex by now. What is known of the path to it decides which of their rays go on; a
-    // path that enters the face across another edge decides nothing.
+    // path that enters the face across another edge decides nothing. The known distance is enlarged by the error of
+    // distances, so that ties keep the strip.
     const Vertex_arrival<FT>& arrival = m_field.arrival[c.apex];
-    const bool comes_across = arrival.halfedge == h;
-    // Enlarged by the error of distances, so that ties keep the strip.
-    const FT known = m_field.distance[c.apex] / (1 - Tolerance<FT>::distance());
-    List* const left = c.left != null_id && c.left_length > 0 ? &list(c.left) : nullptr;
-    List* const right = c.right != null_id && c.right_length > 0 ? &list(c.right) : nullptr;
-    const Side_angle<FT> at_left = left != nullptr ? left_angle(c) : Side_angle<FT>();
-    const Side_angle<FT> at_right = right != nullptr ? right_angle(c) : Side_angle<FT>();
-    const Vertex_rival<FT> a = rival(c.origin), b = rival(c.target), top = rival(c.apex);
-    FT left_key = Field::infinity(), right_key = left_key;
-    for(const Strip<FT>& s : m_crossing)
-    {
-      const FT apex = crossing_of_ray(s, c.apex_x, c.apex_y);
-      const bool is_longer = comes_across && known < distance_of_ray(s, c.apex_x, c.apex_y);
-      Strip<FT> child = s;
-      if(left != nullptr
-         && turn_left(child, c, at_left, apex, is_longer ? (std::min)(apex, arrival.abscissa) : apex))
-        put(child, c.left_length, a, top, *left, left_key);
-      child = s;
-      if(right != nullptr
-         && turn_right(child, c, at_right, apex, is_longer ? (std::max)(apex, arrival.abscissa) : apex))
-        put(child, c.right_length, top, b, *right, right_key);
-    }
-    let_wait(c.left, left, left_key);
-    let_wait(c.right, right, right_key);
+    const FT known = arrival.halfedge == h ? FT(m_field.distance[c.apex] / (1 - Tolerance<FT>::distance()))
+                                           : Field::infinity();
+    const Vertex_rival<FT> apex = rival(c.apex);
+    if(c.left_length > 0)
+      cross(c.left, n, Strip_side<FT>{c.left_length, left_angle(c), a, apex, c.length, arrival.abscissa, known,
+                                      m_maximum_distance}, &Strip_list_loops<FT>::cross_left);
+    if(c.right_length > 0)
+      cross(c.right, n, Strip_side<FT>{c.right_length, right_angle(c), apex, b, c.length, arrival.abscissa, known,
+                                       m_maximum_distance}, &Strip_list_loops<FT>::cross_right);
+    prefetch_strips(next);
     return are_windows_stale;
   }
 
@@ -170,18 +178,15 @@ public:
   std::size_t number_crossed() const { return m_number_crossed; }
   std::size_t number_created() const { return m_number_created; }
 
-  // Linear in the number of lists.
   std::size_t memory() const
   {
-    std::size_t n = m_crossing.capacity();
-    for(const List& l : m_lists)
-      n += l.capacity();
-    return n * sizeof(Strip<FT>) + m_foot.capacity() * sizeof(Strip_foot<FT>)
-         + 2 * m_slot.capacity() * sizeof(std::uint32_t);
+    return m_pool.memory() + m_lists.capacity() * sizeof(List) + m_crossing.memory() + m_children.memory()
+         + m_foot.capacity() * sizeof(Strip_foot<FT>) + 2 * m_slot.capacity() * sizeof(std::uint32_t);
   }
 
 private:
-  using List = std::vector<Strip<FT>>;
+  using List = Strip_list<FT>;
+  using Cross = Strip_children<FT> (*)(Strip_columns<FT>&, std::size_t, const Strip_side<FT>&, Strip_columns<FT>&);
 
   // The path to a vertex as a rival of strips. Degenerate vertices win ties, as against windows: in faces without
   // extent strips would go around forever.
@@ -194,16 +199,32 @@ private:
   // is constant. Does nothing at the border, and for an edge without length, whose ends are sources anyway.
   void add_first_strip(Halfedge_id h, const FT& offset, std::uint32_t side)
   {
-    if(h == null_id || !(m_mesh.length(h) > 0))
+    if(h == null_id || !(m_mesh.length(h) > 0) || offset > m_maximum_distance)
       return;
-    FT key = Field::infinity();
-    const FT& length = m_mesh.length(h);
-    put(Strip<FT>{FT(0), length, FT(0), FT(1), offset, FT(0), side, 0}, length, rival(m_mesh.source(h)),
-        rival(m_mesh.target(h)), list(h), key);
-    let_wait(h, &list(h), key);
+    List& strips = list(h);
+    m_pool.reserve(strips, 1);
+    strips.strips[strips.size++] = Strip<FT>{FT(0), m_mesh.length(h), FT(0), FT(1), offset, FT(0), side, 0};
+    ++m_number_created;
+    m_queue.push_or_decrease(h, offset);
   }
 
-  // The list of a halfedge, which is made if there is none. Addresses stay valid: m_lists is a deque.
+  void prefetch_list(Halfedge_id h) const
+  {
+    if(m_slot[h] != null_id)
+      prefetch(&m_lists[m_slot[h]]);
+  }
+
+  void prefetch_strips(Halfedge_id h) const
+  {
+    constexpr std::size_t most = 16;
+    if(m_slot[h] == null_id)
+      return;
+    const List& strips = m_lists[m_slot[h]];
+    for(std::size_t i = 0; i < (std::min)(most, std::size_t(strips.size)); ++i)
+      prefetch(strips.strips + i);
+  }
+
+  // The list of a halfedge, which is made if there is none. The reference is valid until the next list is made.
   List& list(Halfedge_id h)
   {
     if(m_slot[h] == null_id)
@@ -219,71 +240,73 @@ private:
     return m_lists[m_slot[h]];
   }
 
-  // Moves the strips of a halfedge to m_crossing. Its place is free then: a child of one of them may need it, on a face
-  // that is glued to itself.
-  void take(Halfedge_id h)
+  // Moves the strips of a halfedge to m_crossing, and returns their number. Their list is free then: a child of one of
+  // them may need it, on a face that is glued to itself.
+  std::size_t take(Halfedge_id h)
   {
-    m_crossing.clear();
-    m_crossing.swap(list(h));
-    release(h);
-  }
-
-  // Gives the place of a list back. Requires: the list is empty.
-  void release(Halfedge_id h)
-  {
+    List& list_of_h = list(h);
+    const Strip<FT>* const strips = list_of_h.strips;
+    const std::size_t n = list_of_h.size;
+    m_crossing.reserve(n);
+    m_most_faces_crossed = 0;
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      m_crossing.set(i, strips[i]);
+      m_most_faces_crossed = (std::max)(m_most_faces_crossed, strips[i].faces_crossed);
+    }
+    m_pool.release(list_of_h);
     m_free.push_back(m_slot[h]);
     m_slot[h] = null_id;
+    return n;
   }
 
-  // Trimming before a strip waits saves the memory of those that vertices beat at once: most of them.
-  // Adds a strip to a list, unless the ends of its edge, A and B, beat it at once. Lowers `key` to its distance.
-  void put(Strip<FT> s, const FT& length, const Vertex_rival<FT>& a, const Vertex_rival<FT>& b, List& strips, FT& key)
+  // Also keeps slivers, which go no farther: points of this face may lie on their rays.
+  void keep_for_queries(Halfedge_id h, std::size_t n)
   {
-    if(!trim(s, length, a, b))
-      return;
-    const FT d = s.minimum_distance();
-    if(d > m_maximum_distance)
-      return;
-    strips.push_back(s);
-    key = (std::min)(key, d);
-    ++m_number_created;
+    if(m_kept != nullptr)
+      for(std::size_t i = 0; i < n; ++i)
+        m_kept->keep(h, m_crossing.get(i));
   }
 
-  // Lets the list of a halfedge wait, if it has any strips. `key` is the least distance of those that are new.
-  void let_wait(Halfedge_id h, List* strips, const FT& key)
+  // Leaves those of n strips out that have crossed as many faces as a shortest path may. Returns how many are left.
+  std::size_t leave_out_oldest(std::size_t n)
   {
-    if(strips == nullptr)
-      return;
-    if(strips->empty())
-      release(h);
-    else if(key < Field::infinity())
-      m_queue.push_or_decrease(h, key);
-  }
-
-  // Trims the strips that cross h: vertices may have become nearer since they were added. Then lets all of them improve
-  // the apex, and removes those that go no farther.
-  template <typename Wave, typename Push>
-  bool enter(Halfedge_id h, const Face_frame<FT>& c, Wave& wavefront, Push push)
-  {
-    const Vertex_rival<FT> a = rival(c.origin), b = rival(c.target);
     const std::size_t most_faces = m_mesh.most_faces_crossed();
+    if(m_most_faces_crossed < most_faces)
+      return n;
+    std::size_t end = 0;
+    for(std::size_t i = 0; i < n; ++i)
+      if(m_crossing.get(i).faces_crossed < most_faces)
+        m_crossing.copy_row(i, end++);
+    return end;
+  }
+
+  // Lets the children of n strips wait on a halfedge beyond the face, if there is one.
+  void cross(Halfedge_id h, std::size_t n, const Strip_side<FT>& side, Cross Strip_list_loops<FT>::*loop)
+  {
+    if(h == null_id || n == 0)
+      return;
+    m_children.reserve(n);
+    const Strip_children<FT> children = (m_loops(n).*loop)(m_crossing, n, side, m_children);
+    if(children.number == 0)
+      return;
+    List& strips = list(h);
+    m_pool.reserve(strips, children.number);
+    for(std::size_t i = 0; i < children.number; ++i)
+      strips.strips[strips.size++] = m_children.get(i);
+    m_number_created += children.number;
+    m_queue.push_or_decrease(h, children.least_distance);
+  }
+
+  // Improves the apex by those of n strips that are nearer. (No path along a ray is shorter than the linear function,
+  // so most strips need no division to find the crossing.)
+  template <typename Wave, typename Push>
+  bool improve_apex(std::size_t n, Halfedge_id h, const Face_frame<FT>& c, Wave& wavefront, Push push)
+  {
     bool are_windows_stale = false;
-    std::size_t n = 0;
-    for(Strip<FT>& s : m_crossing)
-    {
-      if(!trim(s, c.length, a, b))
-        continue;
-      ++m_number_crossed;
-      // Also a sliver, which goes no farther: points of this face may lie on its rays.
-      if(m_kept != nullptr)
-        m_kept->keep(h, s);
-      // No path along a ray is shorter than the linear function, so most strips need no division to find the crossing.
-      if(distance_of_ray(s, c.apex_x, c.apex_y) < m_field.distance[c.apex])
-        are_windows_stale |= improve_apex(s, h, c, wavefront, push);
-      if(!s.is_sliver(c.length) && s.faces_crossed < most_faces)
-        m_crossing[n++] = s;
-    }
-    m_crossing.resize(n);
+    for(std::size_t i = 0; i < n; ++i)
+      if(m_crossing.apex_distance()[i] < m_field.distance[c.apex])
+        are_windows_stale |= improve_apex(m_crossing.get(i), h, c, wavefront, push);
     return are_windows_stale;
   }
 
@@ -313,9 +336,12 @@ private:
   const Field& m_field;
   Wavefront_queue<FT> m_queue;       // of halfedges
   std::vector<std::uint32_t> m_slot; // by halfedge: the place of its list, or null_id
-  std::deque<List> m_lists;
+  Strip_pool<FT> m_pool;
+  std::vector<List> m_lists;
   std::vector<std::uint32_t> m_free;
-  List m_crossing; // the strips that cross a face; a buffer between calls
+  Strip_columns<FT> m_crossing, m_children; // of the strips that cross a face; buffers between calls
+  std::uint32_t m_most_faces_crossed = 0;   // by one of m_crossing
+  Loops_by_length<Strip_list_loops<FT>> m_loops;
   std::vector<Strip_foot<FT>> m_foot; // by vertex
   Edge_strip_field<FT>* m_kept = nullptr;
   FT m_maximum_distance = Field::infinity();

@@ -182,7 +182,7 @@ private:
       else
       {
         count_removed(n, edge.whole_window - i, L::bits(has_paths), L::bits(is_wide), useful, statistics);
-        end = keep(to, end, useful);
+        end = keep_rows(to, end, useful);
       }
     }
     batch.size = end - batch.list.size;
@@ -200,21 +200,6 @@ private:
       statistics.windows_removed_as_slivers += (paths & ~wide) >> k & 1;
       statistics.windows_removed_by_vertices += (wide & ~useful) >> k & 1;
     }
-  }
-
-  // Closes the gaps in one step: moves the windows whose bits are set to consecutive rows from `first` on, in their
-  // order. Returns the end of these rows.
-  static std::size_t keep(const Columns& columns, std::size_t first, unsigned int useful)
-  {
-    std::size_t end = first;
-    for(std::size_t i = first; useful != 0; ++i, useful >>= 1)
-      if((useful & 1) != 0)
-      {
-        if(end != i)
-          columns.set(end, columns.get(i));
-        ++end;
-      }
-    return end;
   }
 };
 

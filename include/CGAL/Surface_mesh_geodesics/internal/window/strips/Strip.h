@@ -59,33 +59,6 @@ struct Strip
   bool is_sliver(const FT& length) const { return !((end - begin) * direction_y > Tolerance<FT>::interval() * length); }
 };
 
-// Takes those rays away that an end of the edge beats, and returns whether any are left.
-//
-// Proof. Let P be a point of the ray through x, at the distance s beyond the edge. By way of A it is reached within
-// d(A) + x + s, the ray has the length D(x) + s. So A beats the ray where d(A) + x < D(x). As D grows by at most 1,
-// this holds up to some x, and from there on no more; the formula solves the equation, with the factor of Vertex_rival
-// on D. B is the mirror image. The order of visits does not matter: d(A) is the length of a path at any time.
-template <typename FT>
-bool trim(Strip<FT>& s, const FT& length, const Vertex_rival<FT>& left, const Vertex_rival<FT>& right)
-{
-  const FT from_left = left.factor * s.distance - left.distance, slope_left = 1 - left.factor * s.direction_x;
-  if(from_left > slope_left * s.begin)
-  {
-    if(!(slope_left * s.end >= from_left))
-      return false;
-    s.begin = (std::max)(s.begin, FT(from_left / slope_left));
-  }
-  const FT from_right = right.distance + length - right.factor * s.distance;
-  const FT slope_right = 1 + right.factor * s.direction_x;
-  if(from_right < slope_right * s.end)
-  {
-    if(!(slope_right * s.begin <= from_right))
-      return false;
-    s.end = (std::min)(s.end, FT(from_right / slope_right));
-  }
-  return s.begin < s.end;
-}
-
 // Where the ray through (x, y) crosses AB.
 template <typename FT>
 FT crossing_of_ray(const Strip<FT>& s, const FT& x, const FT& y)
@@ -120,53 +93,6 @@ Ray_arrival<FT> arrival_of_ray(const Strip<FT>& s, const FT& x, const FT& y)
   const FT distance = abscissa == crossing ? (std::max)(FT(0), distance_of_ray(s, x, y))
                                            : FT(up_to_edge + norm<FT>(x - abscissa, y));
   return {distance, abscissa, FT(abscissa - s.direction_x * up_to_edge), FT(s.direction_y * up_to_edge)};
-}
-
-// Turns a strip into the part of it that crosses AB up to `last` and then AC. Returns whether there is any. `angle` is
-// left_angle(c).
-// Requires: last <= apex, the abscissa of the ray through C. Then apex > 0 tells that rays cross AC at all. AC has a
-// length.
-//
-// Formulas. The direction turns by the angle of AC. Abscissas on AC are those on AB times |AC| / apex (parallel
-// projection). That factor is also the inverse ratio of the heights of the directions, which is right to the last
-// digits beside sides that are much shorter than AB; there the difference of two abscissas on AB is not.
-template <typename FT>
-bool turn_left(Strip<FT>& s, const Face_frame<FT>& c, const Side_angle<FT>& angle, const FT& apex, const FT& last)
-{
-  const FT end = (std::min)(s.end, last);
-  if(!(apex > 0) || !(s.begin < end))
-    return false;
-  const FT height = s.direction_y * angle.cosine - s.direction_x * angle.sine;
-  if(!(height > 0))
-    return false;
-  const FT ratio = s.direction_y / height;
-  s.begin = (std::min)(c.left_length, FT(s.begin * ratio));
-  s.end = end >= apex ? c.left_length : (std::min)(c.left_length, FT(end * ratio));
-  s.direction_x = s.direction_x * angle.cosine + s.direction_y * angle.sine;
-  s.direction_y = height;
-  ++s.faces_crossed;
-  return s.begin < s.end;
-}
-
-// The mirror image: the part that crosses AB from `first` on, and then CB. `angle` is right_angle(c).
-// Requires: first >= apex; CB has a length.
-template <typename FT>
-bool turn_right(Strip<FT>& s, const Face_frame<FT>& c, const Side_angle<FT>& angle, const FT& apex, const FT& first)
-{
-  const FT begin = (std::max)(s.begin, first);
-  const FT height = s.direction_y * angle.cosine + s.direction_x * angle.sine;
-  if(!(height > 0) || !(c.length > apex) || !(begin < s.end))
-    return false;
-  const FT ratio = s.direction_y / height;
-  const FT at_target = s.distance_at(c.length), foot_of_target = s.foot_at(c.length);
-  s.begin = begin <= apex ? FT(0) : (std::max)(FT(0), FT(c.right_length - (c.length - begin) * ratio));
-  s.end = (std::max)(FT(0), FT(c.right_length - (c.length - s.end) * ratio));
-  s.direction_x = s.direction_x * angle.cosine - s.direction_y * angle.sine;
-  s.direction_y = height;
-  s.distance = at_target - s.direction_x * c.right_length;
-  s.foot = foot_of_target - s.direction_y * c.right_length;
-  ++s.faces_crossed;
-  return s.begin < s.end;
 }
 
 } // namespace internal
