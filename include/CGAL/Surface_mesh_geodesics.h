@@ -39,6 +39,7 @@
 #include <CGAL/Surface_mesh_geodesics/geodesic_parameters.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_path.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_remeshing.h>
+#include <CGAL/Surface_mesh_geodesics/polyline_curve.h>
 #include <CGAL/Surface_mesh_geodesics/shortest_path_curve.h>
 #include <CGAL/Surface_mesh_geodesics/signed_geodesic_distances.h>
 #include <CGAL/Surface_mesh_geodesics/trace_geodesic.h>

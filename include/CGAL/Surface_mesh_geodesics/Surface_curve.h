@@ -64,6 +64,7 @@ geodesic_distances(mesh, distance, curves);
 \sa `signed_geodesic_distances()`
 \sa `border_curves()`
 \sa `shortest_path_curve()`
+\sa `polyline_curve()`
 */
 template <typename TriangleMesh>
 class Surface_curve

@@ -79,6 +79,7 @@ other point is reached. With faces to avoid, all pairs do so.
 \throws std::runtime_error if rounding hides a path
 
 \sa `geodesic_path()`
+\sa `polyline_curve()`
 \sa `border_curves()`
 \sa `signed_geodesic_distances()`
 */

@@ -20,6 +20,15 @@
 #  include <boost/variant/get.hpp>
 #endif
 
+// The traits of a tree of faces, and their header.
+#if CGAL_VERSION_NR >= CGAL_VERSION_NUMBER(6, 0, 0)
+#define CGAL_SURFACE_MESH_GEODESICS_TREE_TRAITS AABB_traits_3
+#define CGAL_SURFACE_MESH_GEODESICS_TREE_TRAITS_HEADER <CGAL/AABB_traits_3.h>
+#else
+#define CGAL_SURFACE_MESH_GEODESICS_TREE_TRAITS AABB_traits
+#define CGAL_SURFACE_MESH_GEODESICS_TREE_TRAITS_HEADER <CGAL/AABB_traits.h>
+#endif
+
 namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
