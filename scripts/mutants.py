@@ -112,6 +112,7 @@ LOWER_BOUND = INTERNAL + "certificate/Lower_bound_check.h"
 EDGE_FUNCTION = INTERNAL + "certificate/Edge_distance_function.h"
 SAMPLE_PLACEMENT = INTERNAL + "applications/Sample_placement.h"
 SAMPLES = INTERNAL + "applications/Farthest_point_sampling.h"
+RELAXATION = INTERNAL + "applications/Lloyd_relaxation.h"
 REMESHING = INTERNAL + "applications/Remeshing.h"
 REMESHING_INPUT = INTERNAL + "applications/Remeshing_input.h"
 FRONT_EVENT = INTERNAL + "Voronoi/fronts/Front_event.h"
@@ -166,6 +167,7 @@ WALLS_OF_DIAGRAMS = "test_walls_of_diagrams"
 VORONOI_OF_CURVES = "test_Voronoi_of_curves"
 WALLS_OF_CERTIFIED_DIAGRAMS = "test_walls_of_certified_diagrams"
 SAMPLING_BESIDE_CURVES = "test_sampling_beside_curves"
+RELAXATION_BESIDE_CURVES = "test_relaxation_beside_curves"
 DIRECTIONS = "test_directions_of_all_vertices"
 PATHS_WITH_OFFSETS = "test_paths_from_curves_with_offsets"
 OBSTACLES_OF_APPLICATIONS = "test_obstacles_of_applications"
@@ -941,6 +943,12 @@ MUTANTS = [
     ("samples_at_corners_of_curves", SAMPLES,
      "    std::size_t n = m_surface.number_of_vertices();\n", "    std::size_t n = m_field.distance.size();\n",
      "vertices of curves that the user does not know become samples", (SAMPLING_BESIDE_CURVES,)),
+    ("relaxation_without_curves", RELAXATION,
+     "      diagram.set_sites(curves_parameter(np), sites);\n", "      diagram.set_sites(sites);\n",
+     "the cells of sites do not end where a curve is nearer", (RELAXATION_BESIDE_CURVES,)),
+    ("energy_of_cells_of_curves", LAZY_DIAGRAM,
+     "return has_numbers() && m_sites[cell].curve != nullptr;", "return cell == null_id;",
+     "the energy counts the cells of curves, from their first points", (RELAXATION_BESIDE_CURVES,)),
     # --- stored matrices ---
     ("damage_unseen", NPY,
      "  return sum.text() == checksum;", "  return true;",

@@ -17,6 +17,6 @@ public:
   /// \param iteration the number of the iteration, counted from 1
   /// \param largest_move the largest distance in space by which a site has moved, in the unit of the mesh
   /// \param energy the energy of the sites before they moved, with their cells:
-  ///        `CGAL::Surface_mesh_geodesic_Voronoi_diagram::energy()`
+  ///        `CGAL::Surface_mesh_geodesic_Voronoi_diagram::energy()`, to which the cells of curves add nothing
   void on_iteration(std::size_t iteration, double largest_move, double energy);
 };

@@ -935,17 +935,14 @@ public:
     return m_lazy.centroid(i);
   }
 
-  /// returns the sum over all cells of the integral of \f$ |p - s|^2 \f$ over the points \f$ p \f$ of the cell, where
-  /// \f$ s \f$ is the site and the distance is that in space; in the fourth power of the unit of the mesh. For given
-  /// cells, a site has the smallest energy at the centroid of its cell, and among the vertices in the cell at
-  /// `central_vertex()`. Weights count for the cells only. The sum may be infinite if the points have very large
+  /// returns the sum over all cells of points of the integral of \f$ |p - s|^2 \f$ over the points \f$ p \f$ of the
+  /// cell, where \f$ s \f$ is the site and the distance is that in space; in the fourth power of the unit of the mesh.
+  /// For given cells, a site has the smallest energy at the centroid of its cell, and among the vertices in the cell at
+  /// `central_vertex()`. Weights count for the cells only. Cells of curves (those of sites with a `site_curve()`) add
+  /// nothing, as no point of space stands for the site. The sum may be infinite if the points have very large
   /// coordinates. Takes time linear in the size of the mesh and of the diagram.
-  ///
-  /// \pre No site is a curve.
   double energy() const
   {
-    for(Site_index i = 0; i < number_of_sites(); ++i)
-      CGAL_precondition_msg(site_curve(i) == nullptr, "the energy of a curve is not defined");
     build();
     using Energy = Surface_mesh_geodesics::internal::Cell_energy<decltype(m_lazy)>;
     return number_of_sites() == 0 ? 0. : Energy(m_lazy).sum();

@@ -42,6 +42,11 @@ is nearest in space to the centroid of the cell; of equally near vertices to the
 `vertices(tm)`. This is `Surface_mesh_geodesic_Voronoi_diagram::central_vertex()`. All sites move at once. A site stays
 where it is if its cell is empty or holds no vertex. No site leaves its component.
 
+<b>Curves.</b> Curves from which sites keep away, such as the border of the mesh, are sites that do not move: the cells
+of the other sites end where a curve is nearer. So a site rests about as far from a curve as from its neighbors, while
+without curves it is only half as far from a border. A site on a curve has an empty cell and stays. A curve of one
+location is a point that stays.
+
 The relaxation ends when no site moves, or no site moves farther than a given distance, and at the latest after the
 given number of iterations. Without such a distance it may not end by itself: a site may go back and forth between
 vertices that are about equally good.
@@ -51,15 +56,18 @@ vertices that are about equally good.
 (`Surface_mesh_geodesic_Voronoi_diagram::energy()`). For the cells of an iteration, the move of the sites never raises
 it: no vertex of a cell has a smaller integral than the one that is nearest to the centroid. The next cells minimize
 geodesic distances instead, so they may raise it by a little. A visitor that is a model of `GeodesicRelaxationVisitor`
-receives the energy of each iteration.
+receives the energy of each iteration. Cells of curves add nothing to it, but for curves of one location, which are
+points. The move of the sites never raises this sum either. But the next cells may be much larger, where a site has
+moved away from a curve, and then the energy rises from iteration to iteration; `threshold_distance` still tells when
+sites are at rest.
 
 <b>Complexity.</b> The mesh is read once. Each iteration takes the time and the memory of one diagram, and time linear
-in the size of the mesh.
+in the size of the mesh. With curves, diagrams keep all windows.
 
 <b>Parallelism.</b> With `Parallel_tag`, threads share the work on each diagram, as in
-`Surface_mesh_geodesic_Voronoi_diagram`. The result does not depend on the number of threads. It may differ from that of
-`Sequential_tag` where two vertices of a cell are about equally near to its centroid. The calling thread alone calls the
-functions of the visitor.
+`Surface_mesh_geodesic_Voronoi_diagram`; with curves, one thread divides the faces. The result does not depend on the
+number of threads. It may differ from that of `Sequential_tag` where two vertices of a cell are about equally near to
+its centroid. The calling thread alone calls the functions of the visitor.
 
 <b>Thread safety.</b> Several threads may call the function at once, on the same mesh as well, if each call writes to an
 output of its own; see `geodesic_distances()`.
@@ -117,6 +125,12 @@ The method serves remeshing (thesis, section 5.4.4), see `geodesic_remeshing()`.
     \cgalParamType{double}
     \cgalParamDefault{`0`: it ends when no site moves}
   \cgalParamNEnd
+  \cgalParamNBegin{first_curves}
+    \cgalParamDescription{curves from which the sites keep away, see above. They are sites that do not move, and are not
+                          written. `Surface_curve` makes curves, `border_curves()` returns borders.}
+    \cgalParamType{a `Surface_curve` on `tm`, or a range of these}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
   \cgalParamNBegin{faces_to_avoid}
     \cgalParamDescription{the faces through which no path may lead, as for `geodesic_distances()`: cells end at their
                           rim. Sites inside are invalid.}
@@ -137,7 +151,8 @@ The method serves remeshing (thesis, section 5.4.4), see `geodesic_remeshing()`.
 \return the number of iterations that moved a site. It is less than `number_of_iterations` if no site moves any more, or
         none farther than `threshold_distance`, or if the visitor cancels.
 
-\throws Invalid_geodesic_input if the mesh or a site is invalid. Nothing has been written then. (If
+\throws Invalid_geodesic_input if the mesh, a site or a curve is invalid, as for `geodesic_distances()`: with the reason
+        `INVALID_CURVE` if rounding hides where segments of curves run. Nothing has been written then. (If
         `number_of_iterations` is 0, nothing is checked, and the sites are written as they are.)
 */
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename VertexRange,

@@ -44,9 +44,9 @@ Voronoi cell, and hardly farther; the rest is unchanged. So the first sample tak
 <b>Thread safety.</b> The function uses one thread. Several threads may call it at once, also on the same mesh, if each
 call writes to an output of its own; see `geodesic_distances()`.
 
-<b>Relaxation</b> takes no curves. The centers of cells beside a curve would need a diagram in which curves are sites,
-whose cells are bounded by other arcs than those of points. `geodesic_Lloyd_relaxation()` moves samples without regard
-to a border; `geodesic_remeshing()` keeps those on a border in place.
+<b>Relaxation.</b> `geodesic_Lloyd_relaxation()` moves samples to the centers of their cells. With the same
+`first_curves` it keeps them away from these curves; without, it moves them without regard to a border.
+`geodesic_remeshing()` keeps those on a border in place.
 
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam OutputIterator a model of `OutputIterator` that holds vertex descriptors of `TriangleMesh`

@@ -109,6 +109,10 @@ done
 # The faces of a new mesh know nothing of edges of the old one.
 expect "does not take the named parameter" "${remeshing}np::edges_to_avoid(std::vector<Mesh::Edge_index>()))"
 
+for call in "$sampling" "$relaxation"; do
+  expect "neither a curve nor a range of curves" "${call}np::first_curves(numbers))"
+done
+
 # Numbers are no points of the surface.
 expect "a point of the surface is a vertex descriptor" "geodesic_distance(tm, 0, 5)"
 expect "a point of the surface is a vertex descriptor" "geodesic_path(tm, vertices[0], 5, std::back_inserter(text))"

@@ -21,6 +21,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Intrinsic_surface.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/distance_functions.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/curves/Strip_front.h>
@@ -38,7 +39,6 @@
 
 #include <cstddef>
 #include <limits>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -227,12 +227,8 @@ double sample_farthest_points(const TriangleMesh& tm, std::size_t n, OutputItera
   Farthest_point_sampling<TriangleMesh, decltype(vim), decltype(fim)> sampling(tm, vim, fim);
   sampling.avoid(obstacles(tm, fim, np));
   if constexpr(Has_parameter<NamedParameters, internal_np::first_curves_t>::value)
-  {
-    const auto& curves = parameters::get_parameter_reference(np, internal_np::first_curves);
-    static_assert(Are_curves<std::decay_t<decltype(curves)>>::value,
-                  "the value of the named parameter first_curves is neither a curve nor a range of curves");
-    return sampling.run_beside_curves(shape_from_points<double>(tm, np), curves, n, output, options, visitor);
-  }
+    return sampling.run_beside_curves(shape_from_points<double>(tm, np), curves_parameter(np), n, output, options,
+                                      visitor);
   else
     return sampling.run(shape_from_points<double>(tm, np), n, output, options, visitor);
 }

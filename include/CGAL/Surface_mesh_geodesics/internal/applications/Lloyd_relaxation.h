@@ -14,11 +14,14 @@
 // centroid of the cell. (Remeshing is an application of the thesis, section 5.4.4, which leaves the sites where they
 // are.) The mesh is read once for all iterations.
 //
+// Curves may be sites, too, which do not move. Cells end where a curve is nearer, so centers keep away from it.
+//
 // relax_sites() is the loop. Vertex_site_diagram holds the diagram, which all iterations share.
 
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/map_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_values.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/distance_in_space.h>
 
 #include <CGAL/Kernel_traits.h>
@@ -39,9 +42,10 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// A diagram of the type Diagram<Traits, maps..., ConcurrencyTag>, which is Surface_mesh_geodesic_Voronoi_diagram, all
-// sites of which are vertices. The mesh is referred to, not copied. An object cannot be copied or moved, like its
-// diagram; make_vertex_site_diagram() returns it nevertheless, as C++17 constructs a returned temporary in place.
+// A diagram of the type Diagram<Traits, maps..., ConcurrencyTag>, which is Surface_mesh_geodesic_Voronoi_diagram, whose
+// sites are vertices, behind curves if there are any. The mesh is referred to, not copied. An object cannot be copied
+// or moved, like its diagram; make_vertex_site_diagram() returns it nevertheless, as C++17 constructs a returned
+// temporary in place.
 //
 // The points are those of a kernel of double, from which the traits are made. All maps are copied.
 template <template <typename...> class Diagram_, typename ConcurrencyTag, typename TriangleMesh,
@@ -66,6 +70,21 @@ public:
   void set_sites(const Sites& sites)
   {
     m_diagram.remove_all_sites();
+    m_number_of_curves = 0;
+    m_diagram.add_sites(sites);
+  }
+
+  // The same with a curve, or a range of curves, which the next build() checks. Curves have the first numbers: of sites
+  // at one place the first one owns the cell, so the cell of a vertex on a curve is empty, at corners, too.
+  template <typename Curves, typename Sites>
+  void set_sites(const Curves& curves, const Sites& sites)
+  {
+    m_diagram.remove_all_sites();
+    if constexpr(Is_curve<Curves>::value)
+      m_diagram.add_site(curves);
+    else
+      m_diagram.add_sites(curves);
+    m_number_of_curves = m_diagram.number_of_sites();
     m_diagram.add_sites(sites);
   }
 
@@ -97,23 +116,26 @@ public:
   //
   // The result is that of central_vertex() for each site, in one pass over the mesh instead of one for each site.
   // Sites with is_fixed(v) stay. A vertex on a wall is in the cell of its nearest side. Requires: `sites` are the sites
-  // of the diagram.
+  // of the diagram but for the curves, whose cells do not matter.
   //
   // All sites move at once: the cells are those of the sites before, whatever is written to `sites` meanwhile. Builds
   // the diagram if that is not done. Takes time linear in the size of the mesh and of the diagram.
   template <typename IsFixed>
   bool move_to_centers(std::vector<vertex_descriptor>& sites, IsFixed is_fixed) const
   {
-    CGAL_assertion(sites.size() == m_diagram.number_of_sites());
+    CGAL_assertion(m_number_of_curves + sites.size() == m_diagram.number_of_sites());
     std::vector<Point> center;
     for(std::size_t i = 0; i < sites.size(); ++i)
-      center.push_back(m_diagram.centroid(i));
+      center.push_back(m_diagram.centroid(m_number_of_curves + i));
     std::vector<double> smallest(sites.size(), std::numeric_limits<double>::infinity());
     const std::vector<vertex_descriptor> before = sites;
     for(vertex_descriptor v : vertices(m_tm))
     {
-      const std::size_t i = m_diagram.nearest_site(v);
-      if(i == Diagram::null_site() || is_fixed(before[i]))
+      const std::size_t number = m_diagram.nearest_site(v);
+      if(number == Diagram::null_site() || number < m_number_of_curves)
+        continue;
+      const std::size_t i = number - m_number_of_curves;
+      if(is_fixed(before[i]))
         continue;
       const double d = distance_in_space<Point>(center[i], get(m_vpm, v));
       if(d < smallest[i])
@@ -139,6 +161,7 @@ private:
   const TriangleMesh& m_tm;
   VertexPointMap m_vpm;
   Diagram m_diagram;
+  std::size_t m_number_of_curves = 0;
 };
 
 // A diagram without sites, with the maps among the named parameters. Reads nothing yet: the first build reads the mesh.
@@ -166,7 +189,8 @@ auto make_vertex_site_diagram(const TriangleMesh& tm, const NamedParameters& np)
 // number of iterations is bounded. Each one takes the time of a diagram. The step never raises the energy for the cells
 // that it starts from: among the vertices of a cell, the nearest one to the centroid has the smallest integral of
 // squared distances, because that is the integral for the centroid plus the area times the squared distance from the
-// centroid. The next cells may raise it, as they are those of geodesic distances.
+// centroid. The next cells may raise it, as they are those of geodesic distances, and as cells may grow at the expense
+// of those of curves, which are not counted.
 //
 // Sites with is_fixed(v) do not move, as if they were central. The visitor is asked between the steps of an iteration,
 // too: centroids and the energy of large meshes take long.
@@ -185,7 +209,10 @@ std::size_t relax_sites(const TriangleMesh& tm, std::vector<vertex_descriptor>& 
   std::size_t i = 0;
   for(; i < number_of_iterations; ++i)
   {
-    diagram.set_sites(sites);
+    if constexpr(Has_parameter<NamedParameters, internal_np::first_curves_t>::value)
+      diagram.set_sites(curves_parameter(np), sites);
+    else
+      diagram.set_sites(sites);
     if(!diagram.diagram().build(visitor) || !visitor.go_further())
       break;
     const std::vector<vertex_descriptor> before = sites;

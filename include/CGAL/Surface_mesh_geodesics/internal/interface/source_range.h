@@ -14,10 +14,12 @@
 // and how a descriptor that is not valid is rejected. Intrinsic_surface::source_set() turns a range into a Source_set.
 
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/Parameter_sequence.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/walls/Wall_cut.h>
 
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/number_utils.h>
@@ -93,6 +95,17 @@ template <typename Sources>
 struct Are_curves<Sources, std::void_t<decltype(*std::begin(std::declval<const Sources&>()))>>
   : Is_curve<std::decay_t<decltype(*std::begin(std::declval<const Sources&>()))>>
 {};
+
+// The value of the named parameter first_curves: a curve, or a range of curves, also in std::ref() or std::cref(). It
+// is a reference, or a copy where CGAL returns one. Requires: the parameter is given.
+template <typename NamedParameters>
+decltype(auto) curves_parameter(const NamedParameters& np)
+{
+  using Curves = std::decay_t<decltype(parameters::get_parameter_reference(np, internal_np::first_curves))>;
+  static_assert(Are_curves<Curves>::value,
+                "the value of the named parameter first_curves is neither a curve nor a range of curves");
+  return parameters::get_parameter_reference(np, internal_np::first_curves);
+}
 
 // True for a range of sources, an array included. Asking before the loop gives one error instead of those of the loop.
 // All elements have one type, so the first one decides.

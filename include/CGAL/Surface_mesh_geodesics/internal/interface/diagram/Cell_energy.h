@@ -11,7 +11,8 @@
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_DIAGRAM_CELL_ENERGY_H
 
 // The energy that Lloyd's method lowers: the sum over all cells of the integral of the squared distance in space from
-// the site. (Its step moves each site toward the centroid of the cell in space, not to a geodesic center.)
+// the site. (Its step moves each site toward the centroid of the cell in space, not to a geodesic center.) Cells of
+// curves do not count: a curve has no point in space to measure from, and the step does not move it.
 //
 // Formula: in a face, a point (x, y) of the layout is at O + x U + y V, seen from the site. So the squared distance is
 //   O.O + 2 O.U x + 2 O.V y + U.U x^2 + 2 U.V x y + V.V y^2,
@@ -23,6 +24,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/distance_in_space.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -48,8 +50,8 @@ class Cell_energy
 public:
   explicit Cell_energy(const Diagram& diagram) : m_diagram(diagram) {}
 
-  // Returns the energy of all cells, in the fourth power of the user's unit. Takes time linear in the number of faces
-  // and arcs. Call it once.
+  // Returns the energy of the cells of points, in the fourth power of the user's unit. Takes time linear in the number
+  // of faces and arcs. Call it once.
   double sum()
   {
     double result = 0;
@@ -67,13 +69,16 @@ private:
     Second_integrals second;
   };
 
-  // Returns the energy of the parts of a face; 0 for a face without height or without a site.
+  // Returns the energy of the parts of a face; 0 for a face without height, without a site, or of curves alone.
   double of_face(Face_id f)
   {
     const auto layout = m_diagram.complex().layout(f);
     if(!(layout[1].x > 0) || !(layout[2].y > 0))
       return 0;
     collect_parts(f);
+    m_parts.erase(std::remove_if(m_parts.begin(), m_parts.end(),
+                                 [this](const Part& p) { return m_diagram.is_cell_of_curve(p.site); }),
+                  m_parts.end());
     if(m_parts.empty())
       return 0;
     std::array<Space_vector, 3> corner;

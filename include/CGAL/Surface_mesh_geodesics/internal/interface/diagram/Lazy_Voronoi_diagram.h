@@ -161,8 +161,7 @@ public:
   // Public functions return it: a site that is a curve is no single location, so users may ask for the curve, too.
   //
   // Returns the location of site i as the user gave it, for a vertex a corner of a face around it, for a curve that of
-  // its first point. Returns the null
-  // location for a vertex that is in no face, or not in the mesh.
+  // its first point. Returns the null location for a vertex that is in no face, or not in the mesh.
   Face_location location_of_site(std::size_t i) const
   {
     const typename Sites::Site& s = m_sites[i];
@@ -322,6 +321,9 @@ public:
     return user != Graph_traits::null_vertex() ? Point_3(get(m_vertex_point_map, user))
                                                : point(location_of_site(m_solver.source_at(v)));
   }
+
+  // Returns whether the site of a cell is a curve; one of a single location is a point.
+  bool is_cell_of_curve(Vertex_id cell) const { return has_numbers() && m_sites[cell].curve != nullptr; }
 
   // Returns the point of the site of a cell. Requires: the site is a point.
   Point_3 point_of_cell(Vertex_id cell) const

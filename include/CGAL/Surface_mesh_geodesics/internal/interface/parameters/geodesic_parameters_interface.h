@@ -38,7 +38,7 @@ CGAL_add_named_parameter(vertex_distance_map_t, vertex_distance_map, vertex_dist
 CGAL_add_named_parameter(site_weights_t, site_weights, site_weights)
 // sampling: the vertices with which it begins
 CGAL_add_named_parameter(first_samples_t, first_samples, first_samples)
-// sampling: the curves from which samples keep away
+// sampling and relaxation: the curves from which samples and sites keep away
 CGAL_add_named_parameter(first_curves_t, first_curves, first_curves)
 // sampling: the distance of the farthest vertex from its sample at which it ends
 CGAL_add_named_parameter(covering_radius_t, covering_radius, covering_radius)

@@ -149,7 +149,7 @@ using Sampling_parameters = Extended_set<Mesh_and_visitor_parameters, internal_n
                                          internal_np::first_curves_t>::type;
 using Relaxation_parameters = Extended_set<Mesh_and_visitor_parameters, internal_np::threshold_distance_t,
                                            internal_np::number_of_iterations_t, internal_np::faces_to_avoid_t,
-                                           internal_np::edges_to_avoid_t>::type;
+                                           internal_np::edges_to_avoid_t, internal_np::first_curves_t>::type;
 using Remeshing_parameters = Extended_set<Mesh_and_visitor_parameters, internal_np::threshold_distance_t,
                                           internal_np::number_of_iterations_t, internal_np::faces_to_avoid_t>::type;
 
