@@ -10,11 +10,17 @@
 #include "Reachability.h"
 #include "number_arguments.h"
 
+#include <CGAL/Surface_mesh_geodesics/Geodesic_default_visitor.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_Lloyd_relaxation.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_farthest_point_sampling.h>
 
 #include <boost/iterator/function_output_iterator.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <functional>
+#include <iterator>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -30,7 +36,9 @@ void declare(Option_descriptions& options)
   options.add_options()
     ("number,n", count_value("number", 1)->value_name("N"), "the number of samples, including the first ones")
     ("radius", positive_value("radius")->value_name("R"),
-     "stop when no vertex is farther than R from its nearest sample");
+     "stop when no vertex is farther than R from its nearest sample")
+    ("iterations", count_value("iterations", 0, 1000000)->value_name("K")->default_value("0"),
+     "how often samples are moved to the centers of their cells afterwards, at most; first ones stay");
   first_options.declare(options);
   declare_curves(options, "first");
   declare_seed(options);
@@ -62,10 +70,59 @@ Drawing drawing_of(const Mesh& mesh, const std::vector<Vertex>& samples)
   return drawing;
 }
 
+// Shows the fraction of the largest number of iterations that is done, one diagram each.
+class Relaxation_visitor
+  : public CGAL::Surface_mesh_geodesics::Geodesic_default_visitor
+{
+public:
+  Relaxation_visitor(const Console& console, std::size_t number_of_iterations)
+    : m_bar(console, "relaxation"), m_number_of_iterations(static_cast<double>(number_of_iterations))
+  {}
+
+  void on_propagation_begin(std::size_t number_of_vertices)
+  {
+    ++m_number_begun;
+    m_number_of_vertices = static_cast<double>(number_of_vertices);
+  }
+
+  void on_progress(std::size_t number_of_visits, double)
+  {
+    const double part = (std::min)(1., static_cast<double>(number_of_visits) / m_number_of_vertices);
+    m_bar.show((m_number_begun - 1 + part) / m_number_of_iterations);
+  }
+
+private:
+  Progress_bar m_bar;
+  double m_number_of_iterations, m_number_begun = 0, m_number_of_vertices = 1;
+};
+
+// Moves the samples behind the first ones to the centers of their cells. First samples stay, as curves of one location.
+// Returns the covering radius of the samples then: a sampling that is complete already tells it.
+double relax(const Mesh& mesh, std::size_t iterations, std::size_t number_of_first, const std::vector<Curve>& curves,
+             const Obstacles& avoided, const Console& console, std::vector<Vertex>& samples)
+{
+  const auto behind_first = samples.begin() + static_cast<std::ptrdiff_t>(number_of_first);
+  std::vector<Curve> fixed = curves;
+  for(auto i = samples.begin(); i != behind_first; ++i)
+    fixed.emplace_back(mesh, *i);
+  {
+    Relaxation_visitor visitor(console, iterations);
+    CGAL::Surface_mesh_geodesics::geodesic_Lloyd_relaxation(
+      mesh, std::vector<Vertex>(behind_first, samples.end()), behind_first,
+      CGAL::parameters::first_curves(fixed).number_of_iterations(static_cast<unsigned int>(iterations))
+        .faces_to_avoid(avoided.faces).edges_to_avoid(avoided.walls).visitor(std::ref(visitor)));
+  }
+  std::vector<Vertex> none;
+  return CGAL::Surface_mesh_geodesics::geodesic_farthest_point_sampling(
+    mesh, samples.size(), std::back_inserter(none),
+    CGAL::parameters::first_samples(samples).first_curves(curves).faces_to_avoid(avoided.faces)
+      .edges_to_avoid(avoided.walls));
+}
+
 // Returns the samples, and prints the covering radius.
-std::vector<Vertex> samples_of(const Mesh& mesh, std::size_t n, double radius, const std::vector<Vertex>& first,
-                               const std::vector<Curve>& curves, const Obstacles& avoided,
-                               const Console& console)
+std::vector<Vertex> samples_of(const Mesh& mesh, std::size_t n, double radius, std::size_t iterations,
+                               const std::vector<Vertex>& first, const std::vector<Curve>& curves,
+                               const Obstacles& avoided, const Console& console)
 {
   std::vector<Vertex> samples = first;
   double covering_radius = 0;
@@ -82,6 +139,8 @@ std::vector<Vertex> samples_of(const Mesh& mesh, std::size_t n, double radius, c
     covering_radius = curves.empty() ? geodesic_farthest_point_sampling(mesh, n, output, np)
                                      : geodesic_farthest_point_sampling(mesh, n, output, np.first_curves(curves));
   }
+  if(iterations > 0)
+    covering_radius = relax(mesh, iterations, first.size(), curves, avoided, console, samples);
   if(samples.size() < n && !(radius > 0))
     console.note("--number: there are only " + counted_vertices(samples.size()));
   std::ostringstream text;
@@ -111,7 +170,8 @@ void run(const Arguments& arguments, const Console& console)
   const std::vector<Curve> curves
     = are_curves_given(arguments, "first") ? curves_of("first", arguments, mesh, {}, avoided, console)
                                            : std::vector<Curve>();
-  const std::vector<Vertex> samples = samples_of(mesh, n, radius, first, curves, avoided, console);
+  const std::vector<Vertex> samples
+    = samples_of(mesh, n, radius, count_argument_or(arguments, "iterations", 0), first, curves, avoided, console);
   const Drawing drawing = drawing_of(mesh, samples);
   files.write([&](std::ostream& os, const std::string& format)
   {
@@ -129,10 +189,11 @@ const Command sample_command{
   "vertices spread evenly over the surface",
   "Each sample is the vertex that is farthest from all samples before it. The table has a line for each sample: its\n"
   "index, its vertex, and its point; options such as --source-file accept it. The error stream shows the distance of\n"
-  "the farthest vertex. With --first-border or --first-curve, samples keep away from the border or from curves.",
+  "the farthest vertex. With --first-border or --first-curve, samples keep away from the border or from curves.\n"
+  "With --iterations, samples are moved to the centers of their geodesic Voronoi cells, so that these become similar.",
   "  surface_mesh_geodesics sample bunny.off --number 100 > samples.csv\n"
   "  surface_mesh_geodesics sample bunny.off --radius 0.1 --first 0 -o samples.ply\n"
-  "  surface_mesh_geodesics sample scan.off --number 100 --first-border > inside.csv\n",
+  "  surface_mesh_geodesics sample scan.off --number 100 --first-border --iterations 20 > inside.csv\n",
   declare, run};
 
 } // namespace geodesics_demo

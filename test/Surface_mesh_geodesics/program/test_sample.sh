@@ -61,6 +61,20 @@ contains note "1 sample; the farthest vertex is 0.25 from its nearest one or the
 printf '2 0 0 0 1 0 0\n' > side.polylines.txt
 is_silent sample "$data/grid5.off" --number 2 --first-curve side.polylines.txt --quiet > away.csv
 equals "$(column away.csv y | paste -sd ' ')" "1 1"
+# Samples that are moved afterwards: first ones stay, and the border is a curve. In the middle of a square, a sample
+# that has its border as a curve rests; without, two samples share the square.
+is_silent sample "$data/grid5.off" --number 1 --first-border --iterations 9 --quiet > moved.csv
+cmp inside.csv moved.csv
+is_silent sample "$data/grid5.off" --number 2 --first 0 --iterations 9 --quiet > moved.csv
+equals "$(column moved.csv vertex | line /dev/stdin 1)" 0
+is_silent sample "$data/grid5.off" --number 2 --first 0 --quiet > still.csv
+differ moved.csv still.csv
+"$program" sample "$data/grid5.off" --number 1 --iterations 9 -o moved.csv 2> note
+is_near "$(column moved.csv x)" 0.5
+is_near "$(column moved.csv y)" 0.5
+contains note "1 sample; the farthest vertex is 0.707107 from its nearest one"
+rejects 2 "--iterations: '-1' is not a whole number from 0 to 1000000" sample none.off --number 3 --iterations -1
+
 rejects 2 "--first-border: the surface has no border" sample "$data/cube.off" --number 3 --first-border
 rejects 3 "none.obj" sample "$grid" --number 3 --first-curve none.obj
 cp side.polylines.txt kept.csv
