@@ -256,6 +256,29 @@ void test_offsets_and_feet()
   }
 }
 
+// A point of a curve that is nearer than the rest of it is a source in all directions.
+void points_on_farther_curves()
+{
+  const std::size_t n = 12;
+  const Mesh tm = to_face_graph(flat_patch(n, n, 0., true, 5));
+  std::vector<vertex_descriptor> row(n + 1);
+  for(const vertex_descriptor v : vertices(tm))
+    if(in_plane(tm, v)[1] == 6)
+      row[static_cast<std::size_t>(in_plane(tm, v)[0])] = v;
+  Solver solver(tm);
+  for(const std::size_t at : {0u, 3u, 6u})
+  {
+    const std::vector<Curve> curves{Curve(tm, row), Curve(tm, row[at])};
+    solver.compute_distances(curves, CGAL::parameters::source_offsets(std::vector<double>{1., .25}));
+    for(const vertex_descriptor v : vertices(tm))
+    {
+      const Point_2 p = in_plane(tm, v);
+      const double to_row = std::abs(p[1] - 6) + 1;
+      CHECK_NEAR(solver.distance(v), (std::min)(to_row, std::hypot(p[0] - double(at), p[1] - 6) + .25), 1e-13);
+    }
+  }
+}
+
 struct Canceling_visitor
   : CGAL::Surface_mesh_geodesics::Geodesic_default_visitor
 {
@@ -502,6 +525,7 @@ int main()
   test_cones();
   test_strange_curves();
   test_offsets_and_feet();
+  points_on_farther_curves();
   test_limits();
   test_invariance();
   test_obstacles();

@@ -183,31 +183,39 @@ struct Angles
 
 using Edges = std::vector<internal::Source_edge<double>>;
 
+// The angle of the first and of the last path of a window that its vertex has emitted, in the star of the vertex.
+std::array<double, 2> angles_of_window(const Intrinsic_mesh& mesh, const Angles& star, const Emission& e)
+{
+  std::array<double, 2> angles{};
+  for(std::size_t i = 0; i < star.halfedges.size(); ++i)
+    if(internal::face_of(star.halfedges[i]) == e.face)
+    {
+      // The window is in the frame of ba; seen from v, b is on its left.
+      const internal::Face_frame<double> c = mesh.face_frame(internal::next_halfedge(star.halfedges[i]));
+      const auto angle_at = [&](double x)
+      {
+        const double ax = -c.apex_x, y = -c.apex_y, px = c.length - x - c.apex_x;
+        return star.angles[i] + std::atan2(ax * y - y * px, ax * px + y * y);
+      };
+      angles = {angle_at(e.window.end), angle_at(e.window.begin)};
+    }
+  return angles;
+}
+
 // The smallest angle between an edge of the curves at a vertex and a path of a window that it has emitted.
 double smallest_angle(const Intrinsic_mesh& mesh, const Edges& edges, const Emission& e)
 {
   const Angles star(mesh, e.vertex);
   double smallest = Field::infinity();
-  for(std::size_t i = 0; i < star.halfedges.size(); ++i)
-  {
-    if(internal::face_of(star.halfedges[i]) != e.face)
-      continue;
-    // The window is in the frame of ba; seen from v, b is on its left.
-    const internal::Face_frame<double> c = mesh.face_frame(internal::next_halfedge(star.halfedges[i]));
-    for(const double x : {e.window.begin, e.window.end})
-    {
-      const double ax = -c.apex_x, y = -c.apex_y, px = c.length - x - c.apex_x;
-      const double angle = star.angles[i] + std::atan2(ax * y - y * px, ax * px + y * y);
-      for(std::size_t k = 0; k < star.angles.size(); ++k)
-        for(const auto& edge : edges)
-        {
-          const Halfedge_id h = k < star.halfedges.size() ? star.halfedges[k]
-                                                          : internal::previous_halfedge(star.halfedges[k - 1]);
-          if(h == edge.left || h == edge.right)
-            smallest = (std::min)(smallest, star.difference(angle, star.angles[k]));
-        }
-    }
-  }
+  for(const double angle : angles_of_window(mesh, star, e))
+    for(std::size_t k = 0; k < star.angles.size(); ++k)
+      for(const auto& edge : edges)
+      {
+        const Halfedge_id h = k < star.halfedges.size() ? star.halfedges[k]
+                                                        : internal::previous_halfedge(star.halfedges[k - 1]);
+        if(h == edge.left || h == edge.right)
+          smallest = (std::min)(smallest, star.difference(angle, star.angles[k]));
+      }
   return smallest;
 }
 
@@ -260,6 +268,42 @@ void curves_emit_between_their_normals(std::uint64_t seed)
   CHECK(number > 100);
 }
 
+// One or two spokes of a fan are curves. On each side of them, the center emits windows in the angle that is left between
+// the normals, and a little beside them.
+void spokes_leave_what_is_between_their_normals(const Indexed_mesh& indexed)
+{
+  const Intrinsic_mesh mesh = intrinsic_mesh(to_face_graph(midpoint_subdivision(indexed)));
+  const std::size_t n = indexed.faces.size();
+  Vertex_id center = 0; // the mesh has numbers of its own
+  while(Angles(mesh, center).halfedges.size() != n)
+    ++center;
+  const Angles star(mesh, center);
+  const double half_turn = std::acos(-1.), beside = 2.001 / 1024;
+  for(std::size_t k = 0; k < n; ++k)
+  {
+    std::vector<Halfedge_id> spokes{star.halfedges[0]};
+    if(k > 0)
+      spokes.push_back(star.halfedges[k]);
+    double least = 0, most = 1e-12;
+    for(const double side : {star.angles[k], star.angles[n] - star.angles[k]})
+      if(side > half_turn + 1e-9)
+      {
+        least += side - half_turn;
+        most += side - half_turn + beside;
+      }
+    Edges edges;
+    double sum = 0;
+    for(const Emission& e : emissions_of_curves(mesh, spokes, edges))
+      if(e.vertex == center)
+      {
+        const std::array<double, 2> angles = angles_of_window(mesh, star, e);
+        sum += angles[1] - angles[0];
+      }
+    CHECK(sum >= least - 1e-9);
+    CHECK(sum <= most);
+  }
+}
+
 // A square has no bend to the outside, seen from its inside: its border emits no window.
 void straight_borders_emit_nothing()
 {
@@ -286,6 +330,11 @@ int main()
 {
   windows_start_where_paths_bend(test_support::announce_seed(20261123));
   curves_emit_between_their_normals(20261126);
+  spokes_leave_what_is_between_their_normals(fan("flat", 9, 0., 0.));
+  spokes_leave_what_is_between_their_normals(fan("flat", 12, 0., 0.));
+  spokes_leave_what_is_between_their_normals(cone_fan(11));
+  spokes_leave_what_is_between_their_normals(fan("needle", 8, -5., -5.)); // 70 degrees in all
+  spokes_leave_what_is_between_their_normals(saddle_fan(14));
   straight_borders_emit_nothing();
   return test_result();
 }

@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/curves/Strip_front.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Window_list_loops.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -119,7 +120,8 @@ void check_that_lanes_agree(const Intrinsic_mesh& mesh, const Sources& sources)
   check_that_lanes_agree([&](internal::Lane_choice choice) { return propagate<Rules>(mesh, sources, choice); });
 }
 
-// Every edge has its own offset: where one edge is nearer, it beats a part of the strips of another one.
+// Up to n edges without common vertices. Every edge has its own offset: where one edge is nearer, it beats a part of the
+// strips of another one.
 internal::Source_curves<double> random_edges(const Intrinsic_mesh& mesh, std::size_t n, test_support::Random& random)
 {
   internal::Source_curves<double> curves;
@@ -129,6 +131,10 @@ internal::Source_curves<double> random_edges(const Intrinsic_mesh& mesh, std::si
     const internal::Halfedge_id h
       = internal::halfedge_of(static_cast<internal::Face_id>(f), static_cast<unsigned int>(random.index(3)));
     const double offset = i == 0 ? 0. : random.uniform(0., .1);
+    const auto is_taken = [&](const internal::Source_vertex<double>& v)
+    { return v.vertex == mesh.source(h) || v.vertex == mesh.target(h); };
+    if(std::any_of(curves.vertices.begin(), curves.vertices.end(), is_taken))
+      continue;
     curves.edges.push_back(internal::Source_edge<double>{h, mesh.opposite(h), mesh.source(h), mesh.target(h),
                                                          mesh.length(h), offset, 0, static_cast<std::uint32_t>(i), 0,
                                                          1});

@@ -16,17 +16,13 @@
 
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/Surface_curve.h>
-#include <CGAL/Surface_mesh_geodesics/internal/interface/Surface_locations.h>
-#include <CGAL/Surface_mesh_geodesics/internal/interface/curves/Face_tree.h>
-#include <CGAL/Surface_mesh_geodesics/internal/interface/curves/curve_segments.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/curves/Nearest_places.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/distance_functions.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_checks.h>
 #include <CGAL/Surface_mesh_geodesics/shortest_path_curve.h>
 
-#include <CGAL/Kernel_traits.h>
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/Surface_mesh_shortest_path/Surface_mesh_shortest_path_traits.h>
 #include <CGAL/boost/graph/named_params_helper.h>
-#include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
@@ -48,7 +44,8 @@ The curve is closed if the last point of the polyline is the first one. That is 
 signed distances. (Arcs and boundaries of Voronoi diagrams have locations, of which `Surface_curve` makes curves.)
 
 Neighbors in one face are joined by a straight segment, so the curve of a polyline on the surface is that polyline. Its
-length is then that of the polyline. (The straight segments of an isoline are chords: inside a face, points of them are
+length is then that of the polyline. A point beside an edge or a vertex, up to the rounding of its coordinates, counts as
+a point of it. (The straight segments of an isoline are chords: inside a face, points of them are
 a little nearer to the source of the isoline than its ends are.)
 
 The function does not tell how far points have moved. A polyline far from the surface may give a curve that nobody
@@ -73,16 +70,16 @@ each point; plus the time of `shortest_path_curve()`.
 \param points the polyline. A single point makes a curve that is a point.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`, `vertex_index_map`,
        `face_index_map`, `faces_to_avoid`, `edges_to_avoid` and `statistics`, with the types and defaults of
-       `geodesic_distance()`. Points move to the nearest face, also to one to avoid. The statistics count all
+       `geodesic_distance()`. Points move to the nearest face that is not to be avoided. The statistics count all
        propagations.
 
 \pre the value type of the point map is `Kernel::Point_3` for a kernel of \cgal
 
 \return the curve
 
-\throws Invalid_geodesic_input as `shortest_path_curve()`; with the reason `INVALID_CURVE` if the mesh has no face, and
-        with `NON_FINITE_POINT` if a coordinate of a point is not a finite number, or too large or too small to be
-        located.
+\throws Invalid_geodesic_input as `shortest_path_curve()`; with the reason `INVALID_CURVE` if the mesh has no face, or
+        none that is not avoided, with `NOT_A_TRIANGLE` if a face has not three edges, and with `NON_FINITE_POINT` if a
+        coordinate is not a finite number, or too large or too small for points to be located.
 
 \sa `shortest_path_curve()`
 \sa `geodesic_isolines()`
@@ -97,24 +94,15 @@ Surface_curve<TriangleMesh> polyline_curve(const TriangleMesh& tm, const Points&
                                                 get_const_property_map(CGAL::vertex_point, tm));
   using Vertex_point_map = std::decay_t<decltype(vpm)>;
   using Point = typename boost::property_traits<Vertex_point_map>::value_type;
-  using Kernel = typename Kernel_traits<Point>::Kernel;
-  using Traits = Surface_mesh_shortest_path_traits<Kernel, TriangleMesh>;
-  using Locations = internal::Surface_locations<Traits, Vertex_point_map>;
   using Location = typename Surface_curve<TriangleMesh>::Face_location;
   const std::vector<Point> polyline(std::begin(points), std::end(points));
-  if(faces(tm).begin() == faces(tm).end())
-    internal::reject_curve(0, "is not on the mesh, which has no face");
-  internal::Face_tree<Kernel, TriangleMesh, Vertex_point_map> tree;
-  Locations::build_tree(tm, tree, vpm);
+  const auto fim = CGAL::get_initialized_face_index_map(tm, np);
+  const std::vector<char> is_avoided = internal::avoided_faces(tm, fim, np);
+  const internal::Nearest_places<TriangleMesh, Vertex_point_map> nearest(tm, vpm, is_avoided, fim);
   const bool is_closed = polyline.size() > 2 && polyline.front() == polyline.back();
   std::vector<Location> places;
   for(std::size_t i = 0; i < polyline.size() - (is_closed ? 1 : 0); ++i)
-  {
-    const auto place = Locations::locate(polyline[i], tree, tm, vpm, Traits());
-    places.emplace_back(place.first, typename Location::second_type{CGAL::to_double(place.second[0]),
-                                                                    CGAL::to_double(place.second[1]),
-                                                                    CGAL::to_double(place.second[2])});
-  }
+    places.push_back(nearest.location(polyline[i]));
   return shortest_path_curve(tm, places, is_closed, np);
 }
 

@@ -13,9 +13,9 @@
 // The directions in which a vertex of a source curve emits windows.
 //
 // No shortest path leaves such a vertex at less than a right angle to an edge of the curve, because points of that edge
-// are nearer (manual, Theory, "Corners"). What is left lies between the normals of the curve: nothing on the inside of
-// a bend, and as much on its outside as the curve bends. The strips of the edges have all the rest, so the windows end
-// at the normals, too: they are as narrow as the bends are.
+// are nearer (manual, Theory, "Corners"). What is left lies between the normals of the curve: where the angle on a side
+// of the curve is less than pi, nothing, and otherwise as much as it is more than pi. The strips of the edges have all
+// the rest, so the windows end at the normals, too, and a little behind them (Tolerance::beside_normal()).
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Angle_sum.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
@@ -175,7 +175,15 @@ private:
       is_in_sector[f] = 0;
       before = behind;
       f = star.faces[f].*next;
-    } while(f != null_id && f != first);
+    } while(f != null_id && f != first && !begins_at_source_edge(star, f, next));
+  }
+
+  // Is the side of face f that is met first on a curve? What lies beyond is in the quarter of that side, so that each
+  // face is met once in each direction.
+  bool begins_at_source_edge(const Star& star, std::uint32_t f, std::uint32_t Star_face<FT>::*next) const
+  {
+    const Halfedge_id va = star.faces[f].halfedge;
+    return is_source_edge(next == &Star_face<FT>::next ? va : previous_halfedge(va), star);
   }
 
   // Takes out the part of a face up to the normal, which is pi/2 from the curve. `before` is the angle of the first

@@ -61,7 +61,8 @@ namespace internal {
 // The policy of a propagation with curves among its sources; No_strips (Distance_propagation.h) is that without.
 //
 // Invariants, between calls: the queue has the halfedges on which strips wait, each with a key that is not greater than
-// the distance of any of them. m_slot tells their lists, m_free the other places of m_lists.
+// the distance of any of them. m_slot tells their lists, m_free the other places of m_lists. m_halfedge has at least as
+// many places as m_lists.
 template <typename FT>
 class Strip_front
 {
@@ -80,14 +81,13 @@ public:
   // at the same time, and in that of vertices and faces that are new.
   void restart()
   {
-    while(!m_queue.empty())
-    {
-      m_slot[m_queue.top()] = null_id;
-      m_queue.pop();
-    }
+    // (Lists know their halfedges: after an exception, some of these may not be in the queue.)
     m_free.clear();
     for(std::uint32_t i = 0; i < m_lists.size(); ++i)
     {
+      if(m_halfedge[i] != null_id)
+        m_slot[m_halfedge[i]] = null_id;
+      m_halfedge[i] = null_id;
       m_pool.release(m_lists[i]);
       m_free.push_back(i);
     }
@@ -107,8 +107,8 @@ public:
   // Drops strips that are farther away. Requires: d >= 0.
   void set_maximum_distance(const FT& d) { m_maximum_distance = d; }
 
-  // Lets strips start at all edges. Vertices of curves are sources that emit windows into all faces when they are
-  // visited. All of them have their distances before any strip starts, so that strips know them as rivals at once.
+  // Lets strips start at all edges. Vertices of curves are sources that emit windows between the normals of the curves
+  // (Sector_between_normals.h) when they are visited. All of them have their distances before any strip starts, so that strips know them as rivals at once.
   template <typename Wave, typename Push>
   void start(const Source_curves<FT>& curves, Wave& wavefront, Push push)
   {
@@ -231,10 +231,12 @@ private:
     {
       if(m_free.empty())
       {
+        m_halfedge.push_back(null_id);
         m_lists.emplace_back();
         m_free.push_back(static_cast<std::uint32_t>(m_lists.size() - 1));
       }
       m_slot[h] = m_free.back();
+      m_halfedge[m_free.back()] = h;
       m_free.pop_back();
     }
     return m_lists[m_slot[h]];
@@ -256,6 +258,7 @@ private:
     }
     m_pool.release(list_of_h);
     m_free.push_back(m_slot[h]);
+    m_halfedge[m_slot[h]] = null_id;
     m_slot[h] = null_id;
     return n;
   }
@@ -299,7 +302,7 @@ private:
   }
 
   // Improves the apex by those of n strips that are nearer. (No path along a ray is shorter than the linear function,
-  // so most strips need no division to find the crossing.)
+  // so most strips need no look at where their rays end.)
   template <typename Wave, typename Push>
   bool improve_apex(std::size_t n, Halfedge_id h, const Face_frame<FT>& c, Wave& wavefront, Push push)
   {
@@ -338,6 +341,7 @@ private:
   std::vector<std::uint32_t> m_slot; // by halfedge: the place of its list, or null_id
   Strip_pool<FT> m_pool;
   std::vector<List> m_lists;
+  std::vector<Halfedge_id> m_halfedge; // by place in m_lists: on which it waits; null_id if the place is free
   std::vector<std::uint32_t> m_free;
   Strip_columns<FT> m_crossing, m_children; // of the strips that cross a face; buffers between calls
   std::uint32_t m_most_faces_crossed = 0;   // by one of m_crossing

@@ -28,6 +28,7 @@ class Strip_loops
   using Number = typename L::Number;
   using Mask = typename L::Mask;
   using Columns = Strip_columns<FT>;
+  static_assert(L::size <= Columns::padding, "the rows behind the strips take the lanes of a last step");
 
 public:
   static Strip_list_loops<FT> table()
@@ -59,6 +60,8 @@ private:
     return {end, L::least(least)};
   }
 
+  // Slivers have no children: strips so narrow that rounding makes up their width. Their rays graze the edge, or a
+  // vertex. No path is lost: each strip improves the apex of the face, also by a path that bends at its end.
   template <typename Turn>
   static Strip_children<FT> cross(Columns& strips, std::size_t n, const Strip_side<FT>& side, Columns& children)
   {

@@ -53,10 +53,6 @@ struct Strip
   FT distance_at(const FT& x) const { return distance + direction_x * x; }
   FT foot_at(const FT& x) const { return foot + direction_y * x; }
   FT minimum_distance() const { return distance_at(direction_x >= 0 ? begin : end); }
-
-  // Is the strip so narrow that rounding makes up its width, on an edge of this length? Its rays graze that edge, or a
-  // vertex. No path is lost: each strip improves the apex of the face, also by a path that bends at its end.
-  bool is_sliver(const FT& length) const { return !((end - begin) * direction_y > Tolerance<FT>::interval() * length); }
 };
 
 // Where the ray through (x, y) crosses AB.

@@ -39,9 +39,11 @@ public:
   {
     if(n + padding <= m_height)
       return;
-    m_height = 2 * n + padding;
-    m_numbers.assign(8 * m_height, FT(0));
-    m_histories.assign(m_height, 0);
+    const std::size_t height = 2 * n + padding;
+    m_height = 0; // in case that there is no memory
+    m_numbers.assign(8 * height, FT(0));
+    m_histories.assign(height, 0);
+    m_height = height;
   }
 
   FT* begin() { return column(0); }

@@ -24,6 +24,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -42,7 +43,7 @@ struct Strip_list
   std::size_t capacity() const { return strips == nullptr ? 0 : std::size_t(4) << size_class; }
 };
 
-// Invariant: each block has one owner, a list or the pool.
+// Invariant: each block has one owner, a list or the pool; also after an exception for want of memory.
 template <typename FT>
 class Strip_pool
 {
@@ -93,10 +94,12 @@ private:
       for(std::size_t c = size_class; c-- > 0;)
         while(m_slab_rest >= std::size_t(4) << c)
           m_free_blocks[c].push_back(cut(std::size_t(4) << c));
-      m_slab_rest = (std::max)({n, least_slab, m_number_of_strips / 4});
-      m_slabs.emplace_back(new Strip<FT>[m_slab_rest]);
-      m_number_of_strips += m_slab_rest;
+      const std::size_t size = (std::max)({n, least_slab, m_number_of_strips / 4});
+      std::unique_ptr<Strip<FT>[]> slab(new Strip<FT>[size]);
+      m_slabs.push_back(std::move(slab));
       m_slab = m_slabs.back().get();
+      m_slab_rest = size;
+      m_number_of_strips += size;
     }
     return cut(n);
   }

@@ -1,0 +1,145 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_CURVES_NEAREST_PLACES_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_CURVES_NEAREST_PLACES_H
+
+// The nearest points of a surface, as locations. (Classes of the package take the tree of faces from the user;
+// functions make one.)
+//
+// Rounding. A point of a polyline that lies on an edge is beside it by the rounding of its coordinates. Far away from
+// the origin, or with fine faces, that is more than Tolerance::barycentric(), and two neighbors of the polyline would
+// have no face in common. So a point that is as near to a side of its face as its coordinates are rounded is moved
+// there.
+
+#include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Surface_locations.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/curves/curve_segments.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/cgal_compatibility.h>
+
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include CGAL_SURFACE_MESH_GEODESICS_TREE_TRAITS_HEADER
+#include <CGAL/AABB_tree.h>
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/Surface_mesh_shortest_path/Surface_mesh_shortest_path_traits.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// Refers to the mesh; the map is copied. Several threads may call location().
+template <typename TriangleMesh, typename VertexPointMap>
+class Nearest_places
+{
+  using Point = typename boost::property_traits<VertexPointMap>::value_type;
+  using Kernel = typename Kernel_traits<Point>::Kernel;
+  using Traits = Surface_mesh_shortest_path_traits<Kernel, TriangleMesh>;
+  using Locations = Surface_locations<Traits, VertexPointMap>;
+  using Primitive = AABB_face_graph_triangle_primitive<TriangleMesh, VertexPointMap>;
+  using Tree = AABB_tree<CGAL_SURFACE_MESH_GEODESICS_TREE_TRAITS<Kernel, Primitive>>;
+  using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
+
+public:
+  using Location = std::pair<face_descriptor, std::array<double, 3>>;
+
+  // Faces with a flag are left out; no flags leave out none. Throws Invalid_geodesic_input. O(n log n) for n faces.
+  template <typename FaceIndexMap>
+  Nearest_places(const TriangleMesh& tm, VertexPointMap vpm, const std::vector<char>& is_avoided, FaceIndexMap fim)
+    : m_tm(tm), m_vpm(vpm)
+  {
+    using Reason = Invalid_geodesic_input::Reason;
+    std::vector<face_descriptor> wanted;
+    std::size_t position = 0;
+    for(const face_descriptor f : faces(tm))
+    {
+      if(!is_triangle(halfedge(f, tm), tm))
+        throw Invalid_geodesic_input(Reason::NOT_A_TRIANGLE, "face " + std::to_string(position)
+                                                               + " of the mesh does not have three edges", position);
+      const std::size_t i = static_cast<std::size_t>(get(fim, f));
+      if(i >= is_avoided.size() || is_avoided[i] == 0)
+        wanted.push_back(f);
+      ++position;
+    }
+    if(wanted.empty())
+      reject_curve(0, "is not on the mesh, which has no face for it");
+    m_tree.rebuild(wanted.begin(), wanted.end(), tm, vpm);
+    m_tree.build();
+  }
+
+  // Returns the location nearest to a point. Logarithmic in practice. Throws Invalid_geodesic_input.
+  Location location(const Point& p) const
+  {
+    const auto found = Locations::locate(p, m_tree, m_tm, m_vpm, Traits());
+    Location place(found.first, {});
+    for(std::size_t k = 0; k < 3; ++k)
+      place.second[k] = CGAL::to_double(found.second[k]);
+    move_to_sides(place);
+    return place;
+  }
+
+private:
+  // Sets those coordinates to zero that are smaller than rounding may have made them: the height of the point above a
+  // side is the coordinate times the height of the face. The largest coordinate takes up what is missing. (A face
+  // without height keeps its coordinates.)
+  void move_to_sides(Location& place) const
+  {
+    using std::abs;
+    using std::sqrt;
+    std::array<std::array<double, 3>, 3> corner;
+    double largest = 0;
+    auto h = halfedge(place.first, m_tm);
+    for(auto& c : corner)
+    {
+      const Point& q = get(m_vpm, source(h, m_tm));
+      c = {CGAL::to_double(q.x()), CGAL::to_double(q.y()), CGAL::to_double(q.z())};
+      for(const double x : c)
+        largest = (std::max)(largest, abs(x));
+      h = next(h, m_tm);
+    }
+    const auto difference = [&](std::size_t a, std::size_t b)
+    {
+      return std::array<double, 3>{corner[b][0] - corner[a][0], corner[b][1] - corner[a][1],
+                                   corner[b][2] - corner[a][2]};
+    };
+    const auto length = [](const std::array<double, 3>& v) { return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); };
+    const auto u = difference(0, 1), v = difference(0, 2);
+    const double area = length({u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]});
+    const double beside = Tolerance<double>::place_in_space() * largest;
+    std::array<double, 3>& b = place.second;
+    for(std::size_t k = 0; k < 3; ++k)
+      if(abs(b[k]) * area <= beside * length(difference((k + 1) % 3, (k + 2) % 3)))
+        b[k] = 0;
+    const std::size_t most = static_cast<std::size_t>(std::max_element(b.begin(), b.end()) - b.begin());
+    if(b[most] > 0)
+      b[most] = 1 - (b[(most + 1) % 3] + b[(most + 2) % 3]);
+  }
+
+  const TriangleMesh& m_tm;
+  VertexPointMap m_vpm;
+  Tree m_tree;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_CURVES_NEAREST_PLACES_H
