@@ -268,8 +268,8 @@ void curves_emit_between_their_normals(std::uint64_t seed)
   CHECK(number > 100);
 }
 
-// One or two spokes of a fan are curves. On each side of them, the center emits windows in the angle that is left between
-// the normals, and a little beside them.
+// One or two spokes of a fan are curves. On each side of them, the center emits windows in the angle that is left
+// between the normals, and a little beside them.
 void spokes_leave_what_is_between_their_normals(const Indexed_mesh& indexed)
 {
   const Intrinsic_mesh mesh = intrinsic_mesh(to_face_graph(midpoint_subdivision(indexed)));

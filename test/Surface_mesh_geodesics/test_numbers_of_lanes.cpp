@@ -120,8 +120,8 @@ void check_that_lanes_agree(const Intrinsic_mesh& mesh, const Sources& sources)
   check_that_lanes_agree([&](internal::Lane_choice choice) { return propagate<Rules>(mesh, sources, choice); });
 }
 
-// Up to n edges without common vertices. Every edge has its own offset: where one edge is nearer, it beats a part of the
-// strips of another one.
+// Up to n edges without common vertices. Every edge has its own offset: where one edge is nearer, it beats a part of
+// the strips of another one.
 internal::Source_curves<double> random_edges(const Intrinsic_mesh& mesh, std::size_t n, test_support::Random& random)
 {
   internal::Source_curves<double> curves;
