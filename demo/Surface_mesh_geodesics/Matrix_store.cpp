@@ -1,6 +1,7 @@
 #include "Matrix_store.h"
 
 #include "Command_error.h"
+#include "Face_marks.h"
 #include "Input_file.h"
 #include "Mpi_job.h"
 #include "Obstacle_option.h"
@@ -325,8 +326,8 @@ void store_one(const Arguments& arguments, const Place_finder& find_places, cons
 {
   const std::string folder = arguments["store"].as<std::string>();
   check_is_new(folder, arguments);
-  print_end(store(mesh_argument(arguments), read_mesh(mesh_argument(arguments), console), folder, arguments,
-                  find_places, nullptr, console),
+  print_end(store(mesh_argument(arguments), read_mesh(arguments, console), folder, arguments, find_places, nullptr,
+                  console),
             arguments, console);
 }
 
@@ -345,7 +346,7 @@ void store_in_job(const Arguments& arguments, const Place_finder& find_places, c
   const auto read = [&]()
   {
     check_is_new(folder, arguments);
-    return read_polygons(name, own_console);
+    return read_marked_polygons(arguments, own_console);
   };
   const Geodesic_matrix_store_status status
     = store(name, job.mesh(name, read, own_console), folder, arguments, find_places, &job, own_console);
@@ -428,12 +429,15 @@ void check_matrix_store_options(const Arguments& arguments)
   for(const char* const option : options_of_stores)
     if(has(arguments, option) && !has(arguments, "store"))
       throw Command_error(Exit_code::BAD_USAGE, std::string("--") + option + " needs --store");
-  if((has(arguments, "status") || has(arguments, "verify")) && has(arguments, "avoid"))
-    throw Command_error(Exit_code::BAD_USAGE, "a stored matrix tells the faces to avoid: no --avoid");
+  for(const std::string option : {"avoid", "avoid-property"})
+  {
+    if((has(arguments, "status") || has(arguments, "verify")) && has(arguments, option))
+      throw Command_error(Exit_code::BAD_USAGE, "a stored matrix tells the faces to avoid: no --" + option);
+    if(has(arguments, "meshes") && has(arguments, option))
+      throw Command_error(Exit_code::BAD_USAGE, "--" + option + " names the faces of one mesh: not with --meshes");
+  }
   if((has(arguments, "status") || has(arguments, "verify")) && has(arguments, "walls"))
     throw Command_error(Exit_code::BAD_USAGE, "a stored matrix tells the edges to avoid: no --walls");
-  if(has(arguments, "meshes") && has(arguments, "avoid"))
-    throw Command_error(Exit_code::BAD_USAGE, "--avoid names the faces of one mesh: not with --meshes");
   if(has(arguments, "meshes") && has(arguments, "walls"))
     throw Command_error(Exit_code::BAD_USAGE, "--walls names the edges of one mesh: not with --meshes");
   if(has(arguments, "store") && arguments["store"].as<std::string>().empty())

@@ -18,8 +18,9 @@ Polygon_soup read_OFF(const std::string& file_name, std::string_view bytes);
 // OBJ: the statements v and f. Remarks on statements that are not known.
 Polygon_soup read_OBJ(const std::string& file_name, std::string_view bytes, const Console& console);
 
-// PLY, text or binary with either order of bytes: faces and strips of triangles.
-Polygon_soup read_PLY(const std::string& file_name, std::string_view bytes);
+// PLY, text or binary with either order of bytes: faces and strips of triangles. Faces are marked where their property
+// with the name `mark` is not 0; none are if the name is empty.
+Polygon_soup read_PLY(const std::string& file_name, std::string_view bytes, const std::string& mark);
 
 // STL, text or binary. Corners with equal coordinates are one vertex.
 Polygon_soup read_STL(const std::string& file_name, std::string_view bytes);

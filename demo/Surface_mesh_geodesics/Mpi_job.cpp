@@ -45,6 +45,7 @@ Mesh Mpi_job::mesh(const std::string& file_name, const std::function<Polygon_sou
   boost::mpi::broadcast(m_world, soup.corners, 0);
   boost::mpi::broadcast(m_world, soup.ends, 0);
   boost::mpi::broadcast(m_world, soup.lines, 0);
+  boost::mpi::broadcast(m_world, soup.is_marked, 0);
   if(rank() != 0)
     for(std::size_t i = 0; i < coordinates.size(); i += 3)
       soup.points.emplace_back(coordinates[i], coordinates[i + 1], coordinates[i + 2]);

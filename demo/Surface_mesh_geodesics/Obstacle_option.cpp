@@ -1,6 +1,7 @@
 #include "Obstacle_option.h"
 
 #include "Command_error.h"
+#include "Face_marks.h"
 #include "Input_file.h"
 #include "number_arguments.h"
 
@@ -20,6 +21,7 @@ void declare_obstacles(Option_descriptions& options)
   options.add_options()
     ("avoid", boost::program_options::value<std::string>()->value_name("FILE"),
      "paths lead around the faces whose indices are in the file, and may run along their rim");
+  declare_face_marks(options);
 }
 
 void declare_walls(Option_descriptions& options)
@@ -90,8 +92,8 @@ std::vector<Mesh::Edge_index> walls(const Arguments& arguments, const Mesh& mesh
 
 std::vector<Face> avoided_faces(const Arguments& arguments, const Mesh& mesh)
 {
-  std::vector<Face> faces;
-  if(!has(arguments, "avoid"))
+  std::vector<Face> faces = marked_faces(mesh);
+  if(!has(arguments, "avoid") || has_file_of_marks(arguments))
     return faces;
   const std::string& file_name = arguments["avoid"].as<std::string>();
   for_each_line(file_name, [&](const std::vector<std::string>& words, std::size_t number)
@@ -110,7 +112,7 @@ Obstacles obstacles(const Arguments& arguments, const Mesh& mesh)
 
 bool has_obstacles(const Arguments& arguments)
 {
-  return has(arguments, "avoid") || has(arguments, "walls");
+  return has(arguments, "avoid") || are_faces_marked(arguments) || has(arguments, "walls");
 }
 
 std::vector<char> flags_of_faces(const Mesh& mesh, const std::vector<Face>& faces)

@@ -15,13 +15,15 @@ struct Obstacles
   std::vector<Mesh::Edge_index> walls;
 };
 
-// The option --avoid: a file with the numbers of faces through which no path may lead.
+// The option --avoid: a file with the numbers of faces through which no path may lead. And --avoid-property: a property
+// that marks such faces (Face_marks.h).
 void declare_obstacles(Option_descriptions& options);
 
 // The option --walls: a file with edges that no path may cross, two numbers of vertices on a line.
 void declare_walls(Option_descriptions& options);
 
-// The faces of that file; none without the option. Throws a Command_error with the file and the line for what is not a
+// The faces of that file and the marked ones of the mesh, which read_mesh() has read; none without the options. A face
+// may come twice. Throws a Command_error with the file and the line for what is not a
 // face of the mesh.
 std::vector<Face> avoided_faces(const Arguments& arguments, const Mesh& mesh);
 

@@ -37,11 +37,12 @@ bool is_integer(Number_type type)
   return type != Number_type::FLOAT && type != Number_type::DOUBLE;
 }
 
-// What a property is for. All but coordinates and indices are read past.
-enum class Use { NOTHING, X, Y, Z, INDICES };
+// What a property is for. All but coordinates, indices and marks are read past.
+enum class Use { NOTHING, X, Y, Z, INDICES, MARK };
 
 struct Property
 {
+  std::string name;
   Use use = Use::NOTHING;
   bool is_list = false;
   Number_type size = Number_type::NONE, value = Number_type::NONE; // `size` is the type of the length of a list
@@ -99,6 +100,7 @@ Property property_of(Text_scanner& in, Content content)
   }
   property.value = next_type(in);
   const std::string_view name = in.word();
+  property.name = std::string(name);
   if(content == Content::VERTICES && !property.is_list && name.size() == 1)
     property.use = name == "x" ? Use::X : name == "y" ? Use::Y : name == "z" ? Use::Z : Use::NOTHING;
   else if(content != Content::VERTICES && property.is_list && (name == "vertex_indices" || name == "vertex_index"))
@@ -163,6 +165,35 @@ Header read_header(Text_scanner& in)
     in.skip_line();
   }
   in.complain("the file ends within its header");
+}
+
+// Makes a property of faces the one that marks them. Throws a Command_error with the names of those that could.
+void choose_mark(const std::string& file_name, const std::string& name, Header& header)
+{
+  std::string others;
+  std::size_t found = 0;
+  for(Element& e : header.elements)
+  {
+    if(e.content == Content::STRIPS)
+      reject_file(file_name, "the faces are strips of triangles, which have no properties of their own");
+    for(Property& p : e.properties)
+    {
+      if(e.content != Content::FACES || (p.is_list && p.name != name))
+        continue;
+      others += (others.empty() ? "" : ", ") + p.name;
+      if(p.name != name)
+        continue;
+      if(p.is_list)
+        reject_file(file_name, "the property '" + name + "' of faces is a list, but a number is needed");
+      p.use = Use::MARK;
+      ++found;
+    }
+  }
+  if(found > 1)
+    reject_file(file_name, "there are several properties '" + name + "' of faces");
+  if(found == 0)
+    reject_file(file_name, "the faces have no property '" + name + "'"
+                             + (others.empty() ? ", and none that is a number" : "; they have: " + others));
 }
 
 // --- the data -------------------------------------------------------------------------------------------------------
@@ -272,10 +303,21 @@ private:
       case Use::Y: y = m_in.number(p.value); break;
       case Use::Z: z = m_in.number(p.value); break;
       case Use::INDICES: read_indices(element, p); break;
+      case Use::MARK: m_soup.is_marked.push_back(is_not_0(p)); break;
       case Use::NOTHING: skip(p); break;
       }
     if(element.content == Content::VERTICES)
       m_soup.points.emplace_back(x, y, z);
+  }
+
+  bool is_not_0(const Property& p)
+  {
+    if(is_integer(p.value))
+      return m_in.integer(p.value) != 0;
+    const double x = m_in.number(p.value);
+    if(std::isnan(x))
+      m_in.complain("the property '" + p.name + "' of face " + std::to_string(m_item) + " is not a number");
+    return x != 0;
   }
 
   std::size_t length(const Property& p)
@@ -355,12 +397,9 @@ private:
   std::size_t m_item = 0;
 };
 
-} // namespace
-
-Polygon_soup read_PLY(const std::string& file_name, std::string_view bytes)
+// The data behind a header.
+Polygon_soup contents_of(const std::string& file_name, Text_scanner& in, const Header& header)
 {
-  Text_scanner in(file_name, bytes, 0);
-  const Header header = read_header(in);
   if(header.format == Format::TEXT)
   {
     Text_numbers numbers(in);
@@ -369,6 +408,20 @@ Polygon_soup read_PLY(const std::string& file_name, std::string_view bytes)
   Binary_numbers numbers(file_name, std::string_view(in.position(), in.rest()),
                          header.format == Format::LOWEST_FIRST ? Byte_order::LOWEST_FIRST : Byte_order::HIGHEST_FIRST);
   return PLY_data_reader<Binary_numbers>(numbers).read(header);
+}
+
+} // namespace
+
+Polygon_soup read_PLY(const std::string& file_name, std::string_view bytes, const std::string& mark)
+{
+  Text_scanner in(file_name, bytes, 0);
+  Header header = read_header(in);
+  if(!mark.empty())
+    choose_mark(file_name, mark, header);
+  Polygon_soup soup = contents_of(file_name, in, header);
+  if(!mark.empty() && soup.is_marked.size() != soup.number_of_faces())
+    reject_file(file_name, "there is not one property '" + mark + "' for each face");
+  return soup;
 }
 
 } // namespace geodesics_demo

@@ -20,6 +20,7 @@ struct Polygon_soup
   std::vector<Index> corners;      // of all faces, one after the other
   std::vector<std::size_t> ends;   // of each face in `corners`
   std::vector<std::uint32_t> lines; // of each face in the file, counted from 1; empty for binary files
+  std::vector<char> is_marked;     // of each face, by a property (Face_marks.h); empty if none was asked for
 
   std::size_t number_of_faces() const { return ends.size(); }
   std::size_t begin_of(std::size_t f) const { return f == 0 ? 0 : ends[f - 1]; }
@@ -39,10 +40,16 @@ struct Polygon_soup
   }
 };
 
-// Reads a file in any of the formats. Throws a Command_error unless there are faces, and all points are finite.
-Polygon_soup read_polygons(const std::string& file_name, const Console& console);
+// Reads a file in any of the formats. Throws a Command_error unless there are faces, and all points are finite. Faces
+// are marked where their property with the name `mark` is not 0, and the file has to be a PLY file with this property;
+// an empty name marks none.
+Polygon_soup read_polygons(const std::string& file_name, const Console& console, const std::string& mark = "");
 
-// Connects the faces, and cuts those with more than three edges, as read_mesh() says. Messages name the file.
+// The format that the name of a file tells: its ending, in lower case.
+std::string format_by_name(const std::string& file_name);
+
+// Connects the faces, and cuts those with more than three edges, as read_mesh() says. Messages name the file. Marked
+// faces are marked in the mesh.
 Mesh mesh_of_polygons(const std::string& file_name, const Polygon_soup& soup, const Console& console);
 
 // The most points of a file: the indices of edges and halfedges in Surface_mesh have 32 bits.

@@ -1,6 +1,7 @@
 #include "Program_mesh.h"
 
 #include "Command_error.h"
+#include "Face_marks.h"
 #include "File_bytes.h"
 #include "Input_file.h"
 #include "Mesh_readers.h"
@@ -10,7 +11,6 @@
 #include "Text_scanner.h"
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
@@ -24,21 +24,12 @@ namespace geodesics_demo {
 
 namespace {
 
-// The ending of a name, in lower case.
-std::string ending_of(const std::string& file_name)
-{
-  std::string ending = std::filesystem::path(file_name).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
-  return ending;
-}
-
 // Throws unless the file can be read, and has one of the formats by its name.
 void check_name(const std::string& file_name)
 {
   if(file_name != "-")
     check_is_readable(file_name);
-  const std::string ending = ending_of(file_name);
+  const std::string ending = format_by_name(file_name);
   static const std::vector<std::string> known{".off", ".obj", ".ply", ".stl", ".ts"};
   if(file_name != "-" && std::find(known.begin(), known.end(), ending) == known.end())
     reject_file(file_name, "the name must end with one of .off, .obj, .ply, .stl, .ts");
@@ -70,17 +61,19 @@ std::string format_of(const std::string& file_name, std::string_view bytes)
   return is_binary || word == "solid" ? ".stl" : ".obj";
 }
 
-Polygon_soup read_soup(const std::string& file_name, const Console& console)
+Polygon_soup read_soup(const std::string& file_name, const Console& console, const std::string& mark)
 {
   const Work_sign sign(console, "reading");
   const std::string bytes = bytes_of(file_name);
-  const std::string format = file_name == "-" ? format_of(file_name, bytes) : ending_of(file_name);
+  const std::string format = file_name == "-" ? format_of(file_name, bytes) : format_by_name(file_name);
+  if(!mark.empty() && format != ".ply")
+    reject_file(file_name, "this is not a PLY file, and only these have a property '" + mark + "' of faces");
   if(format == ".off")
     return read_OFF(file_name, bytes);
   if(format == ".obj")
     return read_OBJ(file_name, bytes, console);
   if(format == ".ply")
-    return read_PLY(file_name, bytes);
+    return read_PLY(file_name, bytes, mark);
   return format == ".stl" ? read_STL(file_name, bytes) : read_TS(file_name, bytes);
 }
 
@@ -99,7 +92,7 @@ void triangulate(const std::string& file_name, Mesh& mesh, const Console& consol
   if(CGAL::is_triangle_mesh(mesh))
     return;
   const std::size_t before = mesh.number_of_faces();
-  if(!CGAL::Polygon_mesh_processing::triangulate_faces(mesh) || !CGAL::is_triangle_mesh(mesh))
+  if(!cut_into_triangles(mesh) || !CGAL::is_triangle_mesh(mesh))
     reject_file(file_name, "a face with more than three edges cannot be cut into triangles");
   if(mesh.has_garbage())
     mesh.collect_garbage();
@@ -108,6 +101,14 @@ void triangulate(const std::string& file_name, Mesh& mesh, const Console& consol
 }
 
 } // namespace
+
+std::string format_by_name(const std::string& file_name)
+{
+  std::string ending = std::filesystem::path(file_name).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
+  return ending;
+}
 
 std::string counted_faces(std::size_t n)
 {
@@ -126,10 +127,10 @@ void declare_repair(Option_descriptions& options)
                         "repeated faces, orient the others, and split edges and vertices");
 }
 
-Polygon_soup read_polygons(const std::string& file_name, const Console& console)
+Polygon_soup read_polygons(const std::string& file_name, const Console& console, const std::string& mark)
 {
   check_name(file_name);
-  Polygon_soup soup = read_soup(file_name, console);
+  Polygon_soup soup = read_soup(file_name, console, mark);
   if(soup.ends.empty())
     reject_file(file_name, "the file contains no faces");
   check_points(file_name, soup);
@@ -139,6 +140,7 @@ Polygon_soup read_polygons(const std::string& file_name, const Console& console)
 Mesh mesh_of_polygons(const std::string& file_name, const Polygon_soup& soup, const Console& console)
 {
   Mesh mesh = connected(file_name, soup);
+  give_marks(soup, mesh);
   triangulate(file_name, mesh, console);
   return mesh;
 }
@@ -151,14 +153,18 @@ Mesh read_mesh(const std::string& file_name, const Console& console)
 Mesh read_mesh(const Arguments& arguments, const Console& console)
 {
   const std::string file_name = mesh_argument(arguments);
-  Polygon_soup soup = read_polygons(file_name, console);
+  Polygon_soup soup = read_marked_polygons(arguments, console);
   if(has(arguments, "repair"))
   {
-    const std::string changes = repair(soup).text();
+    const Repair_report report = repair(soup);
+    const std::string changes = report.text();
     console.note(file_name + ": " + (changes.empty() ? "there is nothing to repair"
                                                      : changes + "; vertices and faces may have new indices"));
     if(soup.ends.empty())
       reject_file(file_name, "the repaired mesh contains no faces");
+    if(are_faces_marked(arguments) && report.repeated_faces > 0)
+      reject_file(file_name, "--repair leaves out repeated faces, so that it is not known which copy of a face "
+                             "--avoid-property means");
   }
   return mesh_of_polygons(file_name, soup, console);
 }

@@ -54,6 +54,25 @@ bool is_degenerate(std::vector<std::size_t>& polygon)
   return polygon.size() < 3 || std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
 }
 
+// Leaves out the polygons that are degenerate, with their marks. Returns their number.
+std::size_t leave_out_degenerate(Polygons& polygons, std::vector<char>& is_marked)
+{
+  std::size_t kept = 0;
+  for(std::size_t f = 0; f < polygons.size(); ++f)
+  {
+    if(is_degenerate(polygons[f]))
+      continue;
+    std::swap(polygons[kept], polygons[f]);
+    if(!is_marked.empty())
+      is_marked[kept] = is_marked[f];
+    ++kept;
+  }
+  const std::size_t left_out = polygons.size() - kept;
+  polygons.resize(kept);
+  is_marked.resize((std::min)(is_marked.size(), kept));
+  return left_out;
+}
+
 std::string counted(std::size_t n, const std::string& one, const std::string& many)
 {
   return std::to_string(n) + " " + (n == 1 ? one : many);
@@ -83,10 +102,7 @@ Repair_report repair(Polygon_soup& soup)
   Repair_report report;
   Polygons polygons = polygons_of(soup);
   report.merged_vertices = Processing::merge_duplicate_points_in_polygon_soup(soup.points, polygons);
-  const auto first_degenerate = std::stable_partition(polygons.begin(), polygons.end(),
-                                                      [](std::vector<std::size_t>& p) { return !is_degenerate(p); });
-  report.degenerate_faces = static_cast<std::size_t>(polygons.end() - first_degenerate);
-  polygons.erase(first_degenerate, polygons.end());
+  report.degenerate_faces = leave_out_degenerate(polygons, soup.is_marked);
   report.repeated_faces = Processing::merge_duplicate_polygons_in_polygon_soup(soup.points, polygons);
   Edges split_edges;
   Processing::orient_polygon_soup(soup.points, polygons,

@@ -26,6 +26,8 @@ struct Repair_report
 // that are degenerate or repeated, gives neighbors the same orientation, and cuts the surface where an edge has more
 // than two faces or where several parts meet at a vertex. Vertices and faces may get other indices.
 //
+// Marks follow their faces, unless repeated faces have been left out: then they mean nothing.
+//
 // A face without area is not degenerate if its vertices differ: leaving it out would open the surface.
 Repair_report repair(Polygon_soup& soup);
 

@@ -232,6 +232,6 @@ completed() {
 }
 equals "$(completed dis)" distances
 equals "$(completed "")" "distances path voronoi sample remesh matrix check info --help --version"
-equals "$(completed remesh mesh.off --)" "--number --iterations --avoid --output --repair --quiet --help"
+equals "$(completed remesh mesh.off --)" "--number --iterations --avoid --avoid-property --output --repair --quiet --help"
 equals "$(completed path mesh.off --target-f)" --target-file
 equals "$(completed path me)" "" # files, by bash itself
