@@ -46,6 +46,7 @@ PATH_SOLVER = INTERNAL + "interface/Path_solver.h"
 LOCATION_DISTANCE = INTERNAL + "paths/distance_at_location.h"
 CURVE_INSERTION = INTERNAL + "surface/curves/Curve_insertion.h"
 CURVE_SIDES = INTERNAL + "surface/curves/Curve_sides.h"
+ISOLINE_CHOICE = INTERNAL + "interface/isolines/Isoline_choice.h"
 CURVE_PATH_WRITER = INTERNAL + "interface/curves/Curve_path_writer.h"
 CURVE_SEGMENTS = INTERNAL + "interface/curves/curve_segments.h"
 PATH_CURVE = "CGAL/Surface_mesh_geodesics/shortest_path_curve.h"
@@ -155,6 +156,7 @@ PATHS_BUILDING = "test_paths_building"
 HOSTILE_PATHS = "test_paths_on_hostile_meshes"
 ISOLINE_TEST = "test_isolines"
 ISOLINES_TEST = "test_geodesic_isolines"
+SIGNED_ISOLINES = "test_signed_isolines"
 BY_HAND = "test_Voronoi_by_hand"
 TRACE = "test_trace_geodesic"
 LOGARITHM = "test_logarithmic_map"
@@ -1146,6 +1148,12 @@ MUTANTS = [
     ("sides_without_contradictions", CURVE_SIDES,
      "else if(m_face_sign[f] != s)", "else if(false)",
      "curves that do not separate the surface are not rejected", (CURVES,)),
+    ("isolines_on_other_side", ISOLINE_CHOICE,
+     "is_negative ? -1 : 1", "is_negative ? 1 : -1",
+     "isolines with a sign are those of the other side of the curves", (SIGNED_ISOLINES,)),
+    ("sides_with_offsets", ISOLINE_CHOICE,
+     "if(v.offset != 0)", "if(false)",
+     "isolines with a sign cross curves with an offset", (SIGNED_ISOLINES,)),
     ("curve_points_mirrored_in_neighbor", CURVE_SEGMENTS,
      "b[k] = h == m_edge ? m_source_weight : m_target_weight;", "b[k] = m_source_weight;",
      "a point of an edge lies elsewhere in the other face of the edge", (CURVES,)),

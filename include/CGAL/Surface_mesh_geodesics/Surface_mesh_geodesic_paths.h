@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Lazy_path_structure.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Surface_locations.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/isolines/Isoline_choice.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/map_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/path_visitors.h>
 
@@ -24,11 +25,13 @@
 #include <CGAL/Default.h>
 #include <CGAL/Surface_mesh_shortest_path/Surface_mesh_shortest_path_traits.h>
 #include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -136,9 +139,9 @@ number that stands for "no source point" is the constant `no_source`; for "no si
 - <em>One more template parameter</em>, the last one: the concurrency tag.
 - <em>More members:</em> `build_sequence_tree_for_faces()`, visitors of the progress that may cancel,
   `use_edge_lengths()`, `statistics()`, `nearest_source_point()`, `shortest_distances_to_source_points()`,
-  `farthest_vertex()`, `shortest_path_polyline_to_source_points()`, `isolines()`, `add_source_curve()`,
-  `nearest_location_of_sources()`, and the static overload of
-  `build_aabb_tree()` for a mesh and a tree, which the original documents but does not have.
+  `farthest_vertex()`, `shortest_path_polyline_to_source_points()`, `isolines()`, `signed_isolines()`,
+  `add_source_curve()`, `nearest_location_of_sources()`, and the static overload of `build_aabb_tree()` for a mesh and
+  a tree, which the original documents but does not have.
 - <em>Fewer members:</em> objects cannot be copied (copies of the original share memory that each of them frees). The
   undocumented members for debugging do not exist: `m_debugOutput`, and, with assertions, `peak_node_count()`,
   `current_node_count()`, `peak_queue_size()`, `peak_memory_usage()`, `current_memory_usage()`.
@@ -827,7 +830,31 @@ public:
   template <typename OutputIterator>
   OutputIterator isolines(const FT& value, OutputIterator output) const
   {
-    return m_structure.write_isolines(value, output);
+    return m_structure.write_isolines(CGAL::to_double(value), Surface_mesh_geodesics::internal::All_isolines(), output);
+  }
+
+  /// writes those isolines of curves that lie on one side: the lines of all points with the signed distance `value`, as
+  /// `Surface_mesh_geodesics::signed_geodesic_distances()` defines it. A negative value stands for the lines at the
+  /// distance `-value` on the left of the first curve, a positive one for those on the other side. The curves have to
+  /// separate the surface, so that each line is on one side.
+  ///
+  /// The lines are those of `isolines()` for the distance without its sign, in the same order. The side of a line is
+  /// exact: the faces that it runs through decide it, and no distance. There is no line for 0, which is that of the
+  /// curves. Takes the time of `isolines()`.
+  ///
+  /// \tparam OutputIterator a model of `OutputIterator` that takes `std::vector<Point_3>`
+  /// \param value the signed distance, in the unit of the mesh
+  /// \param output gets a polyline for each line
+  /// \return the output iterator past the last polyline
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the mesh or a source point is invalid; if there is no
+  ///         curve among the source points, or the curves do not separate the surface (`INVALID_CURVE`); if a source
+  ///         point has an offset other than 0 (`INVALID_OFFSET`). Nothing is written then.
+  template <typename OutputIterator>
+  OutputIterator signed_isolines(const FT& value, OutputIterator output) const
+  {
+    const double distance = CGAL::to_double(value);
+    return m_structure.write_isolines(
+      std::abs(distance), Surface_mesh_geodesics::internal::Isolines_on_side{distance < 0}, output);
   }
 
   /// @}

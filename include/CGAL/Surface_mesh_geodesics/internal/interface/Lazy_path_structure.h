@@ -355,16 +355,16 @@ public:
     return {farthest.first, FT(farthest.second)};
   }
 
-  // Writes a polyline for each line of points at the distance `value`; see isoline_tracing.h. Returns the output
-  // iterator past the last one. `value` is in the user's unit.
-  template <typename OutputIterator>
-  OutputIterator write_isolines(const FT& value, OutputIterator output) const
+  // Writes a polyline for each line of points at the distance `value` that is chosen (Isoline_choice.h); see
+  // isoline_tracing.h. Returns the output iterator past the last one. `value` is in the user's unit.
+  template <typename Choice, typename OutputIterator>
+  OutputIterator write_isolines(double value, const Choice& choice, OutputIterator output) const
   {
     prepare(Stage::EVERYWHERE);
     if(has_results())
     {
       Isoline_writer<Lazy_path_structure, OutputIterator> writer(*this, output);
-      m_solver.trace_isolines(CGAL::to_double(value), Tolerance<double>::isoline(), std::ref(writer));
+      m_solver.trace_isolines(value, Tolerance<double>::isoline(), choice(m_solver), std::ref(writer));
       output = writer.output();
     }
     return output;

@@ -413,14 +413,17 @@ public:
 
   // Calls line(points, is_closed) for each line of points at a distance, in the user's unit. A point is a pair of a
   // face of the user and three coordinates, in the order of the user's corners. Requires: the windows are known.
-  // `resolution` is the largest error of a point, as a part of the length of its edge.
-  template <typename Line>
-  void trace_isolines(double distance, double resolution, Line line) const
+  // `resolution` is the largest error of a point, as a part of the length of its edge. is_wanted(point) tells whether
+  // the line of a point is written, which is given as an Isoline_point of the refined mesh.
+  template <typename Line, typename IsWanted>
+  void trace_isolines(double distance, double resolution, const IsWanted& is_wanted, Line line) const
   {
     Isoline_tracer<double> tracer(mesh(), m_field, m_windows, resolution, strips());
     tracer.trace(distance / mesh().unit(),
                  [&](const std::vector<Isoline_point<double>>& points, bool is_closed)
     {
+      if(!is_wanted(points.front()))
+        return;
       std::vector<std::pair<face_descriptor, Coordinates>> located;
       located.reserve(points.size());
       for(const Isoline_point<double>& p : points)

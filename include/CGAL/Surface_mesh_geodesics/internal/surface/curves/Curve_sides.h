@@ -10,9 +10,9 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_CURVES_CURVE_SIDES_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_CURVES_CURVE_SIDES_H
 
-// On which side of the curves each vertex is. Faces of the refined mesh get two colors: they change where an edge is
-// crossed along which curves run an odd number of times, and nowhere else. So a curve that crosses itself separates a
-// checkerboard, and a part that is run along there and back separates nothing.
+// On which side of the curves each vertex and each face is. Faces of the refined mesh get two colors: they change where
+// an edge is crossed along which curves run an odd number of times, and nowhere else. So a curve that crosses itself
+// separates a checkerboard, and a part that is run along there and back separates nothing.
 //
 // Proof that the color of a vertex beside the curves is well defined: no edge of a curve ends there, so that all faces
 // around it are connected without crossing one.
@@ -76,8 +76,11 @@ public:
   int sign(Vertex_id v) const
   {
     const Halfedge_id h = m_mesh.halfedge(v);
-    return h == null_id || m_face_sign[face_of(h)] == 0 ? 1 : m_face_sign[face_of(h)];
+    return h == null_id ? 1 : sign_of_face(face_of(h));
   }
+
+  // The same for a face of the refined mesh, all inner points of which are on one side.
+  int sign_of_face(Face_id f) const { return m_face_sign[f] == 0 ? 1 : m_face_sign[f]; }
 
 private:
   // Colors the face of h, and all that are connected with it, unless it has a color. A stack takes the place of
