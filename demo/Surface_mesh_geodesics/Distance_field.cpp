@@ -182,23 +182,41 @@ void Distance_run::run(const std::vector<Source>& sources)
 
 std::vector<Isoline> Distance_run::isolines(const std::vector<double>& distances) const
 {
-  std::vector<Isoline> result;
   if(m_paths == nullptr)
   {
+    std::vector<Isoline> result;
     for(const Isoline& line : m_isolines)
       if(std::find(distances.begin(), distances.end(), line.distance) != distances.end())
         result.push_back(line);
     return result;
   }
+  return found_isolines(distances, [this](double d, std::vector<std::vector<Point>>& lines)
+                        { m_paths->finder.isolines(d, std::back_inserter(lines)); });
+}
+
+std::vector<Isoline> Distance_run::signed_isolines(const std::vector<double>& distances) const
+{
+  std::vector<double> with_sign;
+  for(auto d = distances.rbegin(); d != distances.rend(); ++d)
+    with_sign.push_back(-*d);
+  with_sign.insert(with_sign.end(), distances.begin(), distances.end());
+  return found_isolines(with_sign, [this](double d, std::vector<std::vector<Point>>& lines)
+                        { m_paths->finder.signed_isolines(d, std::back_inserter(lines)); });
+}
+
+// Calls find(distance, lines) for each distance.
+template <typename Find>
+std::vector<Isoline> Distance_run::found_isolines(const std::vector<double>& distances, Find find) const
+{
+  std::vector<Isoline> result;
   Progress_bar bar(m_console, "isolines", 1);
   for(std::size_t i = 0; i < distances.size(); ++i)
   {
-    const double d = distances[i];
     bar.show(static_cast<double>(i) / static_cast<double>(distances.size()));
     std::vector<std::vector<Point>> lines;
-    m_paths->finder.isolines(d, std::back_inserter(lines));
+    find(distances[i], lines);
     for(std::vector<Point>& line : lines)
-      result.push_back(Isoline{d, std::move(line)});
+      result.push_back(Isoline{distances[i], std::move(line)});
   }
   return result;
 }

@@ -44,7 +44,7 @@ Distance_field distances_from(const Mesh& mesh, const Obstacles& avoided, const 
 Distance_field signed_distances_from(const Mesh& mesh, const Obstacles& avoided, const std::vector<Curve>& curves,
                                      double radius, const Console& console);
 
-// All lines at one distance from the sources.
+// A line at one distance from the sources, which may have a sign.
 struct Isoline
 {
   double distance;
@@ -76,6 +76,10 @@ public:
   // The lines at the given distances, in the same order. If no windows are kept, these are some of the levels.
   std::vector<Isoline> isolines(const std::vector<double>& distances) const;
 
+  // The lines at the given distances from curves that separate the surface, those on the negative side first, each with
+  // its signed distance: for 1 and 2 those of -2, -1, 1 and 2. Requires: windows are kept.
+  std::vector<Isoline> signed_isolines(const std::vector<double>& distances) const;
+
   // For pages: the surface, refined if it has few triangles, and its isolines at the given distances. A point of a wall
   // is there once for each side, with the distance on that side. Faces that paths avoid have infinite distances inside.
   // Requires: windows are kept, or the surface is not refined (is_refined()).
@@ -91,6 +95,8 @@ private:
   void run(const std::vector<Source>& sources);
 
   bool is_avoided(Face f) const { return !m_is_avoided.empty() && m_is_avoided[f] != 0; }
+  template <typename Find>
+  std::vector<Isoline> found_isolines(const std::vector<double>& distances, Find find) const;
   std::vector<std::vector<Face>> sectors(Mesh::Halfedge_index on_wall, const std::vector<char>& is_wall) const;
   void divide_at_walls(Html_surface& surface) const;
   double distance_within(Face f, std::array<double, 3> b) const;

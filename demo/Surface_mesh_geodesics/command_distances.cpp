@@ -48,7 +48,7 @@ void declare(Option_descriptions& options)
     ("spacing", positive_value("spacing")->value_name("D"),
      "isolines at the distances D, 2 D, 3 D, ... instead; at most 1000")
     ("lines", boost::program_options::value<std::vector<std::string>>()->value_name("FILE")->composing(),
-     "the isolines in a file of their own: .obj, .ply, .vtk, .vtu");
+     "the isolines in a file of their own, with --signed those on both sides: .obj, .ply, .vtk, .vtu");
   declare_obstacles(options);
   declare_walls(options);
   declare_html(options);
@@ -138,17 +138,16 @@ Html_page page_of(const std::string& file_name, const Mesh& mesh, const std::vec
   return page;
 }
 
-// Isolines and pages are those of distances without a sign.
+// Pages show distances without a sign.
 void check_curves(const Arguments& arguments, bool has_page)
 {
   if(!has(arguments, "signed"))
     return;
   if(!are_curves_given(arguments, "source"))
     throw Command_error(Exit_code::BAD_USAGE, "--signed needs curves: --source-border or --source-curve");
-  if(has(arguments, "lines") || has_page)
-    throw Command_error(Exit_code::BAD_USAGE, std::string("--signed cannot be combined with ")
-                                                + (has_page ? "a page .html" : "--lines")
-                                                + ", which show distances without a sign");
+  if(has_page)
+    throw Command_error(Exit_code::BAD_USAGE,
+                        "--signed cannot be combined with a page .html, which shows distances without a sign");
 }
 
 void run(const Arguments& arguments, const Console& console)
@@ -168,7 +167,7 @@ void run(const Arguments& arguments, const Console& console)
     if(has(arguments, option) && !has_lines)
       console.note(std::string("--") + option + " has no effect without --lines or a page .html");
   const Mesh mesh = read_mesh(arguments, console);
-  const bool has_curves = are_curves_given(arguments, "source");
+  const bool has_curves = are_curves_given(arguments, "source"), is_signed = has(arguments, "signed");
   const std::vector<Location> sources = has_curves ? source_options.locations(arguments, mesh, console)
                                                    : source_options.required_locations(arguments, mesh, console);
   const Obstacles avoided = obstacles(arguments, mesh);
@@ -180,19 +179,21 @@ void run(const Arguments& arguments, const Console& console)
   std::vector<double> limits;
   if(are_lines_chosen_before)
     limits = isoline_distances(arguments, (std::min)(radius, bound_of_distances(mesh, avoided.faces, sources)));
+  // Signed distances are computed at first: if the curves do not separate the surface, nothing else is.
   std::unique_ptr<Distance_run> run;
   Distance_field without_lines;
+  if(is_signed)
+    without_lines = signed_distances_from(mesh, avoided, curves, radius, console);
   if(has_lines && has_curves)
     run.reset(new Distance_run(mesh, avoided, curves, radius, console));
   else if(has_lines && (!are_lines_chosen_before || (files.have({"html"}) && is_refined(mesh.number_of_faces()))))
     run.reset(new Distance_run(mesh, avoided, sources, radius, console));
   else if(has_lines)
     run.reset(new Distance_run(mesh, avoided, sources, radius, limits, console));
-  else
-    without_lines = has(arguments, "signed") ? signed_distances_from(mesh, avoided, curves, radius, console)
-                    : has_curves             ? distances_from(mesh, avoided, curves, radius, console)
-                                             : distances_from(mesh, avoided, sources, radius, console);
-  const Distance_field& field = has_lines ? run->field() : without_lines;
+  else if(!is_signed)
+    without_lines = has_curves ? distances_from(mesh, avoided, curves, radius, console)
+                               : distances_from(mesh, avoided, sources, radius, console);
+  const Distance_field& field = has_lines && !is_signed ? run->field() : without_lines;
   if(!has(arguments, "radius"))
     remark_on_unreached(mesh, field, has_obstacles(arguments), console);
   if(has_lines && !are_lines_chosen_before)
@@ -200,7 +201,7 @@ void run(const Arguments& arguments, const Console& console)
   limits.erase(std::lower_bound(limits.begin(), limits.end(), field.largest()), limits.end());
   if(!line_names.empty())
   {
-    const Drawing lines = drawing_of_lines(run->isolines(limits));
+    const Drawing lines = drawing_of_lines(is_signed ? run->signed_isolines(limits) : run->isolines(limits));
     line_files.write([&](std::ostream& os, const std::string& format) { write_drawing(os, format, lines); });
   }
   files.write([&](std::ostream& os, const std::string& format)
@@ -236,7 +237,7 @@ const Command distances_command{
   "  surface_mesh_geodesics distances bunny.off --source 0 --html distances.html\n"
   "  surface_mesh_geodesics distances scan.off --source-border --source-curve cuts.obj -o colors.ply\n"
   "  surface_mesh_geodesics distances scan.off --source-border --spacing 0.01 --lines parallels.obj\n"
-  "  surface_mesh_geodesics distances scan.off --source-curve loop.polylines.txt --signed -o signed.csv\n",
+  "  surface_mesh_geodesics distances scan.off --source-curve loop.polylines.txt --signed --lines both_sides.ply\n",
   declare, run};
 
 } // namespace geodesics_demo

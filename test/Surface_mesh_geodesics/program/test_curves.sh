@@ -89,7 +89,26 @@ printf '5 .1 .1 0 .1 .9 0 .9 .9 0 .9 .1 0 .1 .1 0\n' > clockwise.polylines.txt
 is_silent distances "$grid" --source-curve clockwise.polylines.txt --signed > clockwise.csv
 awk -F, 'NR > 1 && FNR == NR { d[$1] = $2; next } FNR != NR { e = d[$1] + $2; if(e * e > 1e-24) exit 1; ++n }
   END { exit n != 16 }' signed.csv <(tail -n +2 clockwise.csv)
+# Lines on both sides, from the most negative distance on; outside, the last one is in the four corners only. The table
+# stays the same.
+is_silent distances "$grid" --source-curve loop.obj --signed --spacing 0.06 -o again.csv --lines both.obj \
+  --lines both.vtk --lines both.ply
+cmp again.csv signed.csv
+awk 'function norm(a, b) { return sqrt(a * a + b * b) }
+  function outside(x) { return x < .1 ? .1 - x : x > .9 ? x - .9 : 0 }
+  $1 == "v" { x = $2; y = $3; a = x < 1 - x ? x - .1 : .9 - x; b = y < 1 - y ? y - .1 : .9 - y
+              d[++n] = outside(x) + outside(y) > 0 ? -norm(outside(x), outside(y)) : a < b ? a : b }
+  $1 == "l" { level = sprintf("%.11f", d[$2]); print level
+              for(i = 2; i <= NF; ++i) if(sprintf("%.11f", d[$i]) != level) exit 1 }' both.obj > levels.txt
+equals "$(paste -sd ' ' levels.txt | sed 's/0*\( \|$\)/\1/g')" "-0.12 -0.12 -0.12 -0.12 -0.06 0.06 0.12 0.18"
+LC_ALL=C sed '1,/^SCALARS distance/d' both.vtk | tail -n +2 | head -c 64 | od -An -v -t f8 -w8 --endian=big \
+  | awk '{ printf "%.11f\n", $1 }' | cmp - levels.txt
+is_silent distances "$grid" --source-curve clockwise.polylines.txt --signed --spacing 0.06 --lines other.vtk -o other.csv
+LC_ALL=C sed '1,/^SCALARS distance/d' other.vtk | tail -n +2 | head -c 64 | od -An -v -t f8 -w8 --endian=big \
+  | awk '{ printf "%.11f\n", -$1 }' | tac | sed 's/-0\.00000000000/0/' | cmp - levels.txt
 printf 'v .1 .1 0\nv .9 .1 0\nv .9 .9 0\nv .1 .9 0\nl 1 2 3 4\n' > open.obj
+rejects 3 "--signed: the curves do not separate the surface: their two sides are connected" \
+  distances "$grid" --source-curve open.obj --signed --lines x.obj
 rejects 3 "--signed: the curves do not separate the surface: their two sides are connected" \
   distances "$grid" --source-curve open.obj --signed
 rejects 2 "--signed needs curves: --source-border or --source-curve" distances "$grid" --source 0 --signed
@@ -135,7 +154,6 @@ awk 'NR == 2 { n = $1 } NR > 2 && NR <= n + 2' "$data/two_components.off" | sed 
   | awk 'NR == 1 { a = $0 } END { print 2, a, $0 }' > apart.polylines.txt
 rejects 3 "apart.polylines.txt, line 1: no path leads from this point of a curve to the next one" \
   distances "$data/two_components.off" --source-curve apart.polylines.txt
-rejects 2 "--signed cannot be combined with --lines" distances "$grid" --source-border --signed --lines x.obj
 if "$program" distances --help | grep --quiet -e --html; then
   rejects 2 "--signed cannot be combined with a page .html" distances "$grid" --source-border --signed -o page.html
   "$program" distances "$grid" --source-border -o page.html
