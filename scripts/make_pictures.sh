@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Makes all pictures of the README and of the manual. For the renderings it builds the examples that write the data, and
 # runs them on the mesh of the examples and on a scan of CGAL's data. Other scripts make the drawings of the theory,
-# the plots of the committed results and the pictures of the program's page.
+# the plots of the committed results, and the pictures of the program's page and of curves.
 # Writes everything but the pictures below build/. Look at each picture before you commit it.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -16,7 +16,7 @@ bash "$root/scripts/install_needs.sh" g++ cmake make libcgal-dev libcgal-demo li
 bash "$root/scripts/run_main_job.sh" > /dev/null
 scan=$build/cgal_data/data/meshes/bunny00.off
 programs=(distances_as_colored_mesh paths_from_several_sources Voronoi_diagram_of_scan weighted_Voronoi_diagram
-  sampling_and_remeshing)
+  sampling_and_remeshing logarithmic_map)
 cmake --build "$build" --parallel "${JOBS:-$(nproc)}" --target "${programs[@]}"
 
 mkdir -p "$work"
@@ -46,5 +46,10 @@ render bunny_remeshed.png remeshed.off --edges
 
 cmake "$build" -DSurface_mesh_geodesics_PROGRAM=ON > /dev/null
 cmake --build "$build" --parallel "${JOBS:-$(nproc)}" --target surface_mesh_geodesics_program
-bash "$root/scripts/picture_pages.sh" "$build/demo/Surface_mesh_geodesics/surface_mesh_geodesics" "$scan" "$work" "$figures"
+program=$build/demo/Surface_mesh_geodesics/surface_mesh_geodesics
+bash "$root/scripts/picture_pages.sh" "$program" "$scan" "$work" "$figures"
+bash "$root/scripts/curve_pictures.sh" "$program" "$scan" "$work" "$figures"
+"$examples/logarithmic_map"
+"$program" distances data/bumpy_sphere.off --quiet --source 0 -o sphere.ply
+render sphere_polar_grid.png sphere.ply --isolines polar_grid.polylines.txt --view=0.1,-0.55,-0.9
 echo "The pictures are in $figures"

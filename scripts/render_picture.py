@@ -5,6 +5,8 @@ it, a mesh without colors, or the cells and arcs of a Voronoi diagram, as write_
 usage: render_picture.py mesh.ply|mesh.off|diagram.vtk picture.png [options]
   --lines paths.polylines.txt  paths on top of the mesh, as paths_from_several_sources writes them; paths that end at the
                         same source have the same color
+  --isolines lines.vtk|lines.polylines.txt  thin dark lines on top, as the program writes them with --lines
+  --curves curves.polylines.txt  thick lines on top: white, which stands out on distances, or black on cells
   --edges               the edges of a mesh without colors, and flat faces
   --size WIDTHxHEIGHT   size of the picture (900x900)
   --view X,Y,Z          direction from the mesh to the eye (0,0,1)
@@ -88,15 +90,16 @@ def read_off(name):
 
 def lookup_table(vtk, distances, colors, largest, size=8192):
     """A table from distance to color, read off the vertices. Linear between the samples of a band; jumps between two
-    bands, halfway between the nearest vertices of both sides."""
+    bands, halfway between the nearest vertices of both sides. Distances with a sign begin below 0."""
     samples = sorted((d, c) for d, c in zip(distances, colors) if math.isfinite(d))
     table = vtk.vtkLookupTable()
     table.SetNumberOfTableValues(size)
-    table.SetTableRange(0, largest)
+    least = min(samples[0][0], 0) if samples else 0
+    table.SetTableRange(least, largest)
     table.SetNanColor(0.5, 0.5, 0.5, 1)
     k = 0
     for i in range(size):
-        d = largest * (i + 0.5) / size
+        d = least + (largest - least) * (i + 0.5) / size
         while k + 1 < len(samples) and samples[k + 1][0] <= d:
             k += 1
         (d0, c0), (d1, c1) = samples[k], samples[min(k + 1, len(samples) - 1)]
@@ -129,7 +132,7 @@ def make_actor(vtk, columns, faces):
         for d in distances:
             scalars.InsertNextValue(d if math.isfinite(d) else math.nan)
         mapper.SetLookupTable(lookup_table(vtk, distances, colors, largest))
-        mapper.SetScalarRange(0, largest)
+        mapper.UseLookupTableScalarRangeOn()
         mapper.InterpolateScalarsBeforeMappingOn()
     else:
         scalars = vtk.vtkUnsignedCharArray()
@@ -198,24 +201,47 @@ def read_poly_data(vtk, name):
     return reader.GetOutput()
 
 
-def make_path_actor(vtk, name):
-    """Paths, colored by their sources, which are their last points."""
-    points, lines, colors = vtk.vtkPoints(), vtk.vtkCellArray(), vtk.vtkUnsignedCharArray()
-    colors.SetNumberOfComponents(3)
-    sources = []
+def read_polylines(vtk, name):
+    """The lines of a file of CGAL's polylines, and the last point of each."""
+    points, cells, ends = vtk.vtkPoints(), vtk.vtkCellArray(), []
     with open(name, encoding="ascii") as file:
         for line in file:
             coordinates = [float(word) for word in line.split()[1:]]
-            path = list(zip(*[iter(coordinates)] * 3))
-            lines.InsertNextCell(len(path), [points.InsertNextPoint(point) for point in path])
-            if path[-1] not in sources:
-                sources.append(path[-1])
-            colors.InsertNextTuple3(*PATH_COLORS[sources.index(path[-1]) % len(PATH_COLORS)])
-    paths = vtk.vtkPolyData()
-    paths.SetPoints(points)
-    paths.SetLines(lines)
+            polyline = list(zip(*[iter(coordinates)] * 3))
+            cells.InsertNextCell(len(polyline), [points.InsertNextPoint(point) for point in polyline])
+            ends.append(polyline[-1])
+    lines = vtk.vtkPolyData()
+    lines.SetPoints(points)
+    lines.SetLines(cells)
+    return lines, ends
+
+
+def make_path_actor(vtk, name):
+    """Paths, colored by their sources, which are their last points."""
+    paths, ends = read_polylines(vtk, name)
+    colors = vtk.vtkUnsignedCharArray()
+    colors.SetNumberOfComponents(3)
+    sources = []
+    for end in ends:
+        if end not in sources:
+            sources.append(end)
+        colors.InsertNextTuple3(*PATH_COLORS[sources.index(end) % len(PATH_COLORS)])
     paths.GetCellData().SetScalars(colors)
     return actor_of_lines(vtk, paths, 0.0035 * paths.GetLength())
+
+
+def make_isoline_actor(vtk, name, size):
+    lines = read_polylines(vtk, name)[0] if name.endswith(".polylines.txt") else read_poly_data(vtk, name)
+    lines.GetCellData().SetScalars(None)
+    lines.GetPointData().SetScalars(None)
+    return actor_of_lines(vtk, lines, 0.0012 * size)
+
+
+def make_curve_actor(vtk, name, size, is_on_cells):
+    actor = actor_of_lines(vtk, read_polylines(vtk, name)[0], 0.0035 * size)
+    if not is_on_cells:
+        actor.GetProperty().SetColor(1, 1, 1)
+    return actor
 
 
 def actor_with_surface(vtk, mapper):
@@ -331,6 +357,8 @@ def main():
     parser.add_argument("mesh")
     parser.add_argument("picture")
     parser.add_argument("--lines")
+    parser.add_argument("--isolines")
+    parser.add_argument("--curves")
     parser.add_argument("--edges", action="store_true")
     parser.add_argument("--size", default="900x900")
     parser.add_argument("--view", type=numbers, default=(0, 0, 1))
@@ -354,6 +382,11 @@ def main():
         actors = [make_actor(vtk, *read_ply(options.mesh))]
     if options.lines:
         actors.append(make_path_actor(vtk, options.lines))
+    size = actors[0].GetLength()
+    if options.isolines:
+        actors.append(make_isoline_actor(vtk, options.isolines, size))
+    if options.curves:
+        actors.append(make_curve_actor(vtk, options.curves, size, options.mesh.endswith(".vtk")))
     render(vtk, actors, options)
 
 

@@ -6,9 +6,13 @@
 #include <CGAL/Surface_mesh_geodesics/trace_geodesic.h>
 
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
+#include <fstream>
 #include <iostream>
+#include <iterator>
 #include <string>
+#include <vector>
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -17,6 +21,44 @@ using Traits = CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>;
 using Paths = CGAL::Surface_mesh_geodesic_paths<Traits>;
 
 namespace Geodesics = CGAL::Surface_mesh_geodesics;
+
+// Writes a line of a file of polylines.
+void write(std::ostream& os, const std::vector<Kernel::Point_3>& line)
+{
+  os << line.size();
+  for(const Kernel::Point_3& p : line)
+    os << ' ' << p;
+  os << '\n';
+}
+
+// Writes a polar grid around the source: circles, which are isolines, and rays. A ray is a straightest geodesic, as far
+// as it is a shortest path.
+void write_polar_grid(std::ostream& os, const Mesh& mesh, const Paths& paths, vertex_descriptor source)
+{
+  const double radius = paths.farthest_vertex().second;
+  std::vector<std::vector<Kernel::Point_3>> circles;
+  for(int i = 1; i < 12; ++i)
+    paths.isolines(i * radius / 12, std::back_inserter(circles));
+  for(const std::vector<Kernel::Point_3>& circle : circles)
+    write(os, circle);
+  for(int i = 0; i < 24; ++i)
+  {
+    const auto geodesic = Geodesics::trace_geodesic(mesh, source, i * CGAL_PI / 12, radius);
+    std::vector<Kernel::Point_3> ray;
+    double length = 0;
+    for(std::size_t k = 0; k < geodesic.points.size(); ++k)
+    {
+      const Kernel::Point_3 p(geodesic.points[k][0], geodesic.points[k][1], geodesic.points[k][2]);
+      const auto& at = geodesic.locations[k];
+      if(k > 0)
+        length += std::sqrt(CGAL::squared_distance(ray.back(), p));
+      if(paths.shortest_distance_to_source_points(at.first, at.second).first < length - 1e-9 * radius)
+        break; // another path is shorter
+      ray.push_back(p);
+    }
+    write(os, ray);
+  }
+}
 
 int main(int argc, char* argv[])
 {
@@ -54,6 +96,15 @@ int main(int argc, char* argv[])
     std::cout << "vertex " << i << ": (" << distance[v] * std::cos(direction[v]) << ", "
               << distance[v] * std::sin(direction[v]) << "), the geodesic ends "
               << (CGAL::squared_distance(p, mesh.point(v)) < 1e-20 ? "there" : "elsewhere") << std::endl;
+  }
+
+  std::ofstream grid("polar_grid.polylines.txt");
+  grid.precision(17);
+  write_polar_grid(grid, mesh, paths, source);
+  if(!grid.flush())
+  {
+    std::cerr << "Cannot write polar_grid.polylines.txt" << std::endl;
+    return EXIT_FAILURE;
   }
   return EXIT_SUCCESS;
 }
