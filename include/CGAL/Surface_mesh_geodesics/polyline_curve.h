@@ -44,9 +44,9 @@ The curve is closed if the last point of the polyline is the first one. That is 
 signed distances. (Arcs and boundaries of Voronoi diagrams have locations, of which `Surface_curve` makes curves.)
 
 Neighbors in one face are joined by a straight segment, so the curve of a polyline on the surface is that polyline. Its
-length is then that of the polyline. A point beside an edge or a vertex, up to the rounding of its coordinates, counts as
-a point of it. (The straight segments of an isoline are chords: inside a face, points of them are
-a little nearer to the source of the isoline than its ends are.)
+length is then that of the polyline. A point beside an edge or a vertex, up to the rounding of its coordinates, counts
+as a point of it. (The straight segments of an isoline are chords: inside a face, points of them are a little nearer to
+the source of the isoline than its ends are.)
 
 The function does not tell how far points have moved. A polyline far from the surface may give a curve that nobody
 expects: where the surface is folded, two neighbors may come to lie on different folds.

@@ -280,8 +280,8 @@ struct Tolerance
   // of them by less than 8 epsilon. (Certificates compute in double.)
   static FT points_in_space() { return 8 * input_epsilon(); }
 
-  // Relative to the coordinates of a face: a point that is this near to a side lies on it. It has been computed in space
-  // (points_in_space()), and then moved to the face and turned into coordinates, each of which adds as much again.
+  // Relative to the coordinates of a face: a point that is this near to a side lies on it. It has been computed in
+  // space (points_in_space()), then moved to the face and turned into coordinates, each of which adds as much again.
   static FT place_in_space() { return 64 * input_epsilon(); }
 
   // Relative to the size of a face: Newton's method refines points that are known up to rounding, or up to the square

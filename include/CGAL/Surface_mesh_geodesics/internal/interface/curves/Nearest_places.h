@@ -46,7 +46,10 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// Refers to the mesh; the map is copied. Several threads may call location().
+// Refers to the mesh; the map is copied. The tree is made once, for all points. Several threads may call location().
+//
+// Error. A point of the surface errs by place_in_space() of the coordinates. A point that is moved to a side moves by
+// as much, so a polyline on the surface keeps its length up to that, for each of its points.
 template <typename TriangleMesh, typename VertexPointMap>
 class Nearest_places
 {
@@ -66,6 +69,7 @@ public:
   Nearest_places(const TriangleMesh& tm, VertexPointMap vpm, const std::vector<char>& is_avoided, FaceIndexMap fim)
     : m_tm(tm), m_vpm(vpm)
   {
+    // The tree would take the first three corners of any face.
     using Reason = Invalid_geodesic_input::Reason;
     std::vector<face_descriptor> wanted;
     std::size_t position = 0;
@@ -79,8 +83,10 @@ public:
         wanted.push_back(f);
       ++position;
     }
+    // (The tree of no faces has no nearest point.)
     if(wanted.empty())
       reject_curve(0, "is not on the mesh, which has no face for it");
+    // It is built now, so that queries may come from several threads.
     m_tree.rebuild(wanted.begin(), wanted.end(), tm, vpm);
     m_tree.build();
   }
@@ -104,6 +110,7 @@ private:
   {
     using std::abs;
     using std::sqrt;
+    // Points may be of any kernel; an error bound needs no more than double.
     std::array<std::array<double, 3>, 3> corner;
     double largest = 0;
     auto h = halfedge(place.first, m_tm);
@@ -115,6 +122,7 @@ private:
         largest = (std::max)(largest, abs(x));
       h = next(h, m_tm);
     }
+    // Twice the area is the length of the cross product of two sides; it is the height above a side times the side.
     const auto difference = [&](std::size_t a, std::size_t b)
     {
       return std::array<double, 3>{corner[b][0] - corner[a][0], corner[b][1] - corner[a][1],

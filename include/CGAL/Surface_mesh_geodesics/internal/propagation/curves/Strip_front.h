@@ -107,8 +107,9 @@ public:
   // Drops strips that are farther away. Requires: d >= 0.
   void set_maximum_distance(const FT& d) { m_maximum_distance = d; }
 
-  // Lets strips start at all edges. Vertices of curves are sources that emit windows between the normals of the curves
-  // (Sector_between_normals.h) when they are visited. All of them have their distances before any strip starts, so that strips know them as rivals at once.
+  // Lets strips start at all edges. Vertices of curves are sources; when they are visited, they emit windows between
+  // the normals of the curves (Sector_between_normals.h). All of them have their distances before any strip starts, so
+  // that strips know them as rivals at once.
   template <typename Wave, typename Push>
   void start(const Source_curves<FT>& curves, Wave& wavefront, Push push)
   {
