@@ -161,7 +161,7 @@ void ring_of_triangles()
 
 // --- a tube ---
 
-// Around the tube along edges. No level is that of a ring of edges, along which rounding decides what is nearer.
+// Around the tube along edges. Some levels are those of rings of edges, where the line is the ring.
 void around_tube()
 {
   test_support::Scope scope("tube");
@@ -180,6 +180,13 @@ void around_tube()
   for(const double d : {1e-8, .3, .8, 1.77})
     for(const double value : {d, -d})
       CHECK_EQUAL(check_lines(paths, value, 1e-11, closed_form), std::size_t(1));
+  for(const double d : {.5, 1., 1.5})
+    for(const double value : {d, -d})
+    {
+      CHECK_EQUAL(check_lines(paths, value, 1e-11, closed_form), std::size_t(1));
+      const auto lines = lines_at(paths, value);
+      CHECK_EQUAL(lines.at(0).size(), m + 1); // the vertices of the ring
+    }
   for(const double none : {0., -0., 2.5, -2.5, std::numeric_limits<double>::infinity(),
                            std::numeric_limits<double>::quiet_NaN()})
     CHECK(lines_at(paths, none).empty());

@@ -203,6 +203,10 @@ struct Tolerance
   // Relative to the length of an edge: how exactly the crossings of isolines are found.
   static FT isoline() { return 4096 * epsilon(); }
 
+  // Relative to the value of an isoline: a distance that differs by less is at the value. Larger than the errors of the
+  // distances along one edge, which come through different windows: an edge along the line is on one side of it then.
+  static FT isoline_value() { return 1024 * epsilon(); }
+
   // Relative to the length of an edge: two crossings of one isoline that are nearer to each other may be missed.
   // Halving down to here takes 14 steps where the isoline comes near an edge without crossing it; the manual promises
   // 1e-4.

@@ -82,6 +82,7 @@ public:
     m_mesh = &mesh;
     m_field = &field;
     m_levels = std::move(levels);
+    std::transform(m_levels.begin(), m_levels.end(), m_levels.begin(), dividing_value<FT>);
     m_resolution = resolution;
     m_faces.reset(mesh, field, Face_record());
     m_windows.reset(mesh.number_of_faces());
@@ -348,7 +349,7 @@ private:
 
   const Mesh* m_mesh = nullptr;
   const Field* m_field = nullptr;
-  std::vector<FT> m_levels;
+  std::vector<FT> m_levels; // the dividing_value() of each
   FT m_resolution = 0;
   Passed_faces<FT, Face_record> m_faces;
   Face_windows<FT> m_windows; // by the halfedge across which they have entered

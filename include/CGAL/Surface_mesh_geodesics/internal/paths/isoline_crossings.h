@@ -18,16 +18,27 @@
 // width, chords find the crossing in a few steps.
 //
 // Rounding. Whether an edge is crossed is decided by comparing the distances of its ends with the value, never by a
-// bound: an edge has an odd number of crossings if and only if its ends are on different sides. A vertex exactly at the
-// value counts as farther: the crossings of its edges to nearer neighbors are the vertex itself.
+// bound: an edge has an odd number of crossings if and only if its ends are on different sides. A vertex at the value,
+// up to rounding, counts as farther: the crossings of its edges to nearer neighbors are the vertex itself. So what
+// decides about sides is a value that is a little smaller, dividing_value(). Otherwise rounding would divide an edge
+// along the line into thousands of parts on both sides of it.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 
 #include <CGAL/assertions.h>
 
+#include <algorithm>
+
 namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
+
+// The value that divides nearer points from farther ones, for the line of points at the given value.
+template <typename FT>
+FT dividing_value(const FT& value)
+{
+  return value * (1 - Tolerance<FT>::isoline_value());
+}
 
 // Returns whether a part of an edge may hold a point of the line. The part has this length, its ends the distances d
 // and e. By the Lipschitz bound the distances on the part are between (d + e - length) / 2 and (d + e + length) / 2.
@@ -49,10 +60,11 @@ template <typename FT, typename Distance>
 class Isoline_crossings
 {
 public:
-  // Refers to the distances. The error of a crossing is at most `resolution`, beyond that of the distances.
-  // Requires: resolution > 0.
+  // `value` is the dividing_value() of the line. Refers to the distances. The error of a crossing is at most
+  // `resolution`, beyond that of the distances. Requires: resolution > 0.
   Isoline_crossings(const FT& length, const FT& value, const FT& resolution, Distance& distance)
-    : m_length(length), m_value(value), m_resolution(resolution), m_distance(distance)
+    : m_length(length), m_value(value), m_last_at_value(value * (1 + 3 * Tolerance<FT>::isoline_value())),
+      m_resolution(resolution), m_distance(distance)
   {
     CGAL_assertion(resolution > 0);
   }
@@ -79,7 +91,8 @@ public:
 
 private:
   // Returns a crossing between two positions on different sides of the value, in an interval that is no longer than the
-  // resolution and whose ends are on different sides, too.
+  // resolution and whose ends are on different sides, too; or the farther one of the two, if it is at the value: a
+  // vertex is then the same point on all of its edges.
   //
   // The chord between the ends meets the value near the crossing, as the distance is nearly linear in a short part. The
   // next position is there, or less than half of the resolution farther from the end that is nearer to it: so that end
@@ -87,6 +100,8 @@ private:
   // halve the interval three times, because of a bend or of rounding, it is halved from then on.
   FT crossing(FT s, FT ds, FT t, FT dt) const
   {
+    if((std::max)(ds, dt) <= m_last_at_value)
+      return ds < dt ? t : s;
     for(int number_of_slow_steps = 0; t - s > m_resolution;)
     {
       const FT width = t - s, overshoot = m_resolution * 7 / 16;
@@ -107,7 +122,9 @@ private:
     return ds == m_value ? s : dt == m_value ? t : FT((s + t) / 2);
   }
 
-  FT m_length, m_value, m_resolution;
+  FT m_length, m_value;
+  FT m_last_at_value; // the largest distance that counts as at the value
+  FT m_resolution;
   Distance& m_distance;
 };
 

@@ -52,18 +52,19 @@ public:
     CGAL_assertion(resolution > 0);
   }
 
-  // Calls line(points, is_closed) for each line of points at the distance `value`, as Isoline_graph::for_each_line()
-  // does. There is no line for a value that is negative, infinite or not a number.
+  // Calls line(points, is_closed) for each line of points at the distance `value_of_line`, as
+  // Isoline_graph::for_each_line() does. There is no line for a value that is negative, infinite or not a number.
   // Complexity: linear in the number of faces, plus for each crossing a number of distance queries that is logarithmic
   // in the resolution.
   //
   // An edge is looked at with its first halfedge, whose face is not behind the other one.
   template <typename Line>
-  void trace(const FT& value, Line line)
+  void trace(const FT& value_of_line, Line line)
   {
     m_graph.reset(m_mesh);
-    if(!(value < Field::infinity()))
+    if(!(value_of_line < Field::infinity()))
       return;
+    const FT value = dividing_value(value_of_line);
     for(Face_id f = 0; f < m_mesh.number_of_faces(); ++f)
       if(may_hold(f, value))
       {
