@@ -29,11 +29,6 @@ const Instruction_set instruction_sets[] = {{"one number at a time", Lane_choice
                                             {"at most four lanes", Lane_choice::FOUR},
                                             {"all lanes of the processor", Lane_choice::BEST}};
 
-std::size_t number_of_lanes(Lane_choice choice)
-{
-  return geodesics::window_list_loops<double, geodesics::All_pruning_rules>(choice).lanes;
-}
-
 std::vector<double> distances(const Benchmark_surface& surface, geodesics::Vertex_id source, Lane_choice choice)
 {
   geodesics::Vertex_distance_field<double> field;
