@@ -48,6 +48,9 @@ length is then that of the polyline. A point beside an edge or a vertex, up to t
 as a point of it. (The straight segments of an isoline are chords: inside a face, points of them are a little nearer to
 the source of the isoline than its ends are.)
 
+Points are moved by \cgal's tree and kernel, which lose digits where coordinates are a million times as large as faces:
+move such a mesh to the origin first.
+
 The function does not tell how far points have moved. A polyline far from the surface may give a curve that nobody
 expects: where the surface is folded, two neighbors may come to lie on different folds.
 
