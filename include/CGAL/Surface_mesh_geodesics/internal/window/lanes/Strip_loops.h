@@ -74,8 +74,9 @@ private:
       Strip_lanes<FT> s = load_strips(strips, i);
       const Mask is_wide = L::first(n - i) & L::less(sliver, (s.end - s.begin) * s.direction_y);
       const Mask is_longer = L::less(L::all(side.known), L::load(strips.apex_distance() + i));
-      const Mask has_rays = is_wide & Turn::turn(s, side, L::load(strips.apex_crossing() + i), is_longer)
-                          & trim_strips(s, side.length, side.left, side.right);
+      // One after the other, in statements of their own: both change the strips.
+      const Mask crosses = Turn::turn(s, side, L::load(strips.apex_crossing() + i), is_longer);
+      const Mask has_rays = is_wide & crosses & trim_strips(s, side.length, side.left, side.right);
       s.history = s.history + Columns::one_face;
       const Number distance = least_distance(s);
       const Mask is_useful = has_rays & L::less_equal(distance, L::all(side.maximum_distance));

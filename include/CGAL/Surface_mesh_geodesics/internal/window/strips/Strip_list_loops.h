@@ -87,8 +87,7 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// The loops over strips of a choice. (Pairs, the lanes of compilers without vectors, are not used for strips: where
-// paths tie, they may choose another one than a single lane does.)
+// The loops over strips of a choice.
 template <typename FT>
 Strip_list_loops<FT> strip_list_loops(Lane_choice choice = Lane_choice::BEST)
 {
@@ -101,7 +100,7 @@ Strip_list_loops<FT> strip_list_loops(Lane_choice choice = Lane_choice::BEST)
     case 4:
       return avx2_lanes::Strip_loops<FT>::table();
 #endif
-#if CGAL_SURFACE_MESH_GEODESICS_MOST_LANES > 1 && !defined(CGAL_SURFACE_MESH_GEODESICS_HAS_PAIRS)
+#if CGAL_SURFACE_MESH_GEODESICS_MOST_LANES > 1
     case 2:
       return two_lanes::Strip_loops<FT>::table();
 #endif
