@@ -100,8 +100,8 @@ Surface_curve<TriangleMesh> polyline_curve(const TriangleMesh& tm, const Points&
   using Location = typename Surface_curve<TriangleMesh>::Face_location;
   const std::vector<Point> polyline(std::begin(points), std::end(points));
   const auto fim = CGAL::get_initialized_face_index_map(tm, np);
-  const std::vector<char> is_avoided = internal::avoided_faces(tm, fim, np);
-  const internal::Nearest_places<TriangleMesh, Vertex_point_map> nearest(tm, vpm, is_avoided, fim);
+  const internal::Obstacles obstacles = internal::obstacles(tm, fim, np);
+  const internal::Nearest_places<TriangleMesh, Vertex_point_map> nearest(tm, vpm, obstacles, fim);
   const bool is_closed = polyline.size() > 2 && polyline.front() == polyline.back();
   std::vector<Location> places;
   for(std::size_t i = 0; i < polyline.size() - (is_closed ? 1 : 0); ++i)

@@ -21,15 +21,18 @@
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Surface_locations.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/curves/curve_segments.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/cgal_compatibility.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include CGAL_SURFACE_MESH_GEODESICS_TREE_TRAITS_HEADER
 #include <CGAL/AABB_tree.h>
+#include <CGAL/Kernel/global_functions_3.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Surface_mesh_shortest_path/Surface_mesh_shortest_path_traits.h>
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -48,8 +51,8 @@ namespace internal {
 
 // Refers to the mesh; the map is copied. The tree is made once, for all points. Several threads may call location().
 //
-// Error. A point of the surface errs by place_in_space() of the coordinates. A point that is moved to a side moves by
-// as much, so a polyline on the surface keeps its length up to that, for each of its points.
+// Error. A point that is moved to a side moves by place_in_space() of the coordinates. The tree adds its own error: it
+// projects points to planes, which costs more digits the farther the faces are from the origin.
 template <typename TriangleMesh, typename VertexPointMap>
 class Nearest_places
 {
@@ -64,9 +67,9 @@ class Nearest_places
 public:
   using Location = std::pair<face_descriptor, std::array<double, 3>>;
 
-  // Faces with a flag are left out; no flags leave out none. Throws Invalid_geodesic_input. O(n log n) for n faces.
+  // Faces to avoid are left out. Throws Invalid_geodesic_input. O(n log n) for n faces.
   template <typename FaceIndexMap>
-  Nearest_places(const TriangleMesh& tm, VertexPointMap vpm, const std::vector<char>& is_avoided, FaceIndexMap fim)
+  Nearest_places(const TriangleMesh& tm, VertexPointMap vpm, const Obstacles& obstacles, FaceIndexMap fim)
     : m_tm(tm), m_vpm(vpm)
   {
     // The tree would take the first three corners of any face.
@@ -78,8 +81,7 @@ public:
       if(!is_triangle(halfedge(f, tm), tm))
         throw Invalid_geodesic_input(Reason::NOT_A_TRIANGLE, "face " + std::to_string(position)
                                                                + " of the mesh does not have three edges", position);
-      const std::size_t i = static_cast<std::size_t>(get(fim, f));
-      if(i >= is_avoided.size() || is_avoided[i] == 0)
+      if(!obstacles.avoids(static_cast<std::size_t>(get(fim, f))))
         wanted.push_back(f);
       ++position;
     }
@@ -108,37 +110,28 @@ private:
   // without height keeps its coordinates.)
   void move_to_sides(Location& place) const
   {
-    using std::abs;
-    using std::sqrt;
-    // Points may be of any kernel; an error bound needs no more than double.
-    std::array<std::array<double, 3>, 3> corner;
+    const auto h = halfedge(place.first, m_tm);
+    const std::array<Point, 3> corner{get(m_vpm, source(h, m_tm)), get(m_vpm, target(h, m_tm)),
+                                      get(m_vpm, target(next(h, m_tm), m_tm))};
     double largest = 0;
-    auto h = halfedge(place.first, m_tm);
-    for(auto& c : corner)
-    {
-      const Point& q = get(m_vpm, source(h, m_tm));
-      c = {CGAL::to_double(q.x()), CGAL::to_double(q.y()), CGAL::to_double(q.z())};
-      for(const double x : c)
-        largest = (std::max)(largest, abs(x));
-      h = next(h, m_tm);
-    }
-    // Twice the area is the length of the cross product of two sides; it is the height above a side times the side.
-    const auto difference = [&](std::size_t a, std::size_t b)
-    {
-      return std::array<double, 3>{corner[b][0] - corner[a][0], corner[b][1] - corner[a][1],
-                                   corner[b][2] - corner[a][2]};
-    };
-    const auto length = [](const std::array<double, 3>& v) { return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); };
-    const auto u = difference(0, 1), v = difference(0, 2);
-    const double area = length({u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]});
+    for(const Point& q : corner)
+      for(int i = 0; i < 3; ++i)
+        largest = (std::max)(largest, std::abs(CGAL::to_double(q[i])));
     const double beside = Tolerance<double>::place_in_space() * largest;
+    // The length of the cross product of two sides is the height above a side times that side.
+    const double heights = length_of(cross_product(corner[1] - corner[0], corner[2] - corner[0]));
     std::array<double, 3>& b = place.second;
     for(std::size_t k = 0; k < 3; ++k)
-      if(abs(b[k]) * area <= beside * length(difference((k + 1) % 3, (k + 2) % 3)))
+      if(std::abs(b[k]) * heights <= beside * length_of(corner[(k + 1) % 3] - corner[(k + 2) % 3]))
         b[k] = 0;
     const std::size_t most = static_cast<std::size_t>(std::max_element(b.begin(), b.end()) - b.begin());
     if(b[most] > 0)
       b[most] = 1 - (b[(most + 1) % 3] + b[(most + 2) % 3]);
+  }
+
+  static double length_of(const typename Kernel::Vector_3& v)
+  {
+    return std::sqrt(CGAL::to_double(v.squared_length()));
   }
 
   const TriangleMesh& m_tm;
