@@ -10,13 +10,11 @@
 #include "Reachability.h"
 #include "number_arguments.h"
 
-#include <CGAL/Surface_mesh_geodesics/Geodesic_default_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_Lloyd_relaxation.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_farthest_point_sampling.h>
 
 #include <boost/iterator/function_output_iterator.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -70,32 +68,6 @@ Drawing drawing_of(const Mesh& mesh, const std::vector<Vertex>& samples)
   return drawing;
 }
 
-// Shows the fraction of the largest number of iterations that is done, one diagram each.
-class Relaxation_visitor
-  : public CGAL::Surface_mesh_geodesics::Geodesic_default_visitor
-{
-public:
-  Relaxation_visitor(const Console& console, std::size_t number_of_iterations)
-    : m_bar(console, "relaxation"), m_number_of_iterations(static_cast<double>(number_of_iterations))
-  {}
-
-  void on_propagation_begin(std::size_t number_of_vertices)
-  {
-    ++m_number_begun;
-    m_number_of_vertices = static_cast<double>(number_of_vertices);
-  }
-
-  void on_progress(std::size_t number_of_visits, double)
-  {
-    const double part = (std::min)(1., static_cast<double>(number_of_visits) / m_number_of_vertices);
-    m_bar.show((m_number_begun - 1 + part) / m_number_of_iterations);
-  }
-
-private:
-  Progress_bar m_bar;
-  double m_number_of_iterations, m_number_begun = 0, m_number_of_vertices = 1;
-};
-
 // Moves the samples behind the first ones to the centers of their cells. First samples stay, as curves of one location.
 // Returns the covering radius of the samples then: a sampling that is complete already tells it.
 double relax(const Mesh& mesh, std::size_t iterations, std::size_t number_of_first, const std::vector<Curve>& curves,
@@ -106,7 +78,7 @@ double relax(const Mesh& mesh, std::size_t iterations, std::size_t number_of_fir
   for(auto i = samples.begin(); i != behind_first; ++i)
     fixed.emplace_back(mesh, *i);
   {
-    Relaxation_visitor visitor(console, iterations);
+    Run_counting_visitor visitor(console, "relaxation", iterations); // one propagation for each diagram
     CGAL::Surface_mesh_geodesics::geodesic_Lloyd_relaxation(
       mesh, std::vector<Vertex>(behind_first, samples.end()), behind_first,
       CGAL::parameters::first_curves(fixed).number_of_iterations(static_cast<unsigned int>(iterations))
