@@ -21,13 +21,14 @@ namespace Geodesics = CGAL::Surface_mesh_geodesics;
 using Vertex = Benchmark_mesh::Vertex_index;
 
 template <typename Sources>
-double milliseconds_from(Benchmark_mesh& mesh, const Sources& sources, Geodesics::Propagation_statistics& statistics)
+double milliseconds_from(const Settings& settings, Benchmark_mesh& mesh, const Sources& sources,
+                         Geodesics::Propagation_statistics& statistics)
 {
   const auto distance = mesh.add_property_map<Vertex, double>("v:distance").first;
   statistics = Geodesics::Propagation_statistics();
-  const double begin = milliseconds_now(CLOCK_PROCESS_CPUTIME_ID);
-  Geodesics::geodesic_distances(mesh, distance, sources, CGAL::parameters::statistics(&statistics));
-  return milliseconds_now(CLOCK_PROCESS_CPUTIME_ID) - begin;
+  return milliseconds_of(settings.clock_id(), [&]() {
+    Geodesics::geodesic_distances(mesh, distance, sources, CGAL::parameters::statistics(&statistics));
+  });
 }
 
 double megabytes(std::size_t bytes) { return static_cast<double>(bytes) / (1024. * 1024.); }
@@ -45,8 +46,8 @@ void print_row(const Settings& settings, const std::string& file, Benchmark_mesh
   Geodesics::Propagation_statistics of_curves, of_vertices;
   for(std::size_t i = 0; i < settings.repetitions; ++i)
   {
-    from_curves.push_back(milliseconds_from(mesh, curves, of_curves));
-    from_vertices.push_back(milliseconds_from(mesh, border, of_vertices));
+    from_curves.push_back(milliseconds_from(settings, mesh, curves, of_curves));
+    from_vertices.push_back(milliseconds_from(settings, mesh, border, of_vertices));
   }
   const double curve_mb = megabytes(of_curves.maximum_window_bytes);
   const double vertex_mb = megabytes(of_vertices.maximum_window_bytes);

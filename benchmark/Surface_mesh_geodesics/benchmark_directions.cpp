@@ -18,14 +18,6 @@ using Traits = CGAL::Surface_mesh_shortest_path_traits<CGAL::Kernel_traits<Bench
                                                        Benchmark_mesh>;
 using Paths = CGAL::Surface_mesh_geodesic_paths<Traits>;
 
-template <typename Run>
-double milliseconds_of(Run run)
-{
-  const double begin = milliseconds_now(CLOCK_PROCESS_CPUTIME_ID);
-  run();
-  return milliseconds_now(CLOCK_PROCESS_CPUTIME_ID) - begin;
-}
-
 void print_row(const Settings& settings, const std::string& file, std::size_t level, Benchmark_mesh& mesh)
 {
   const auto distance = mesh.add_property_map<Vertex, double>("v:distance").first;
@@ -35,11 +27,11 @@ void print_row(const Settings& settings, const std::string& file, std::size_t le
   for(std::size_t i = 0; i < settings.repetitions; ++i)
   {
     distances.push_back(milliseconds_of(
-      [&]() { CGAL::Surface_mesh_geodesics::geodesic_distances(mesh, distance, source); }));
+      settings.clock_id(), [&]() { CGAL::Surface_mesh_geodesics::geodesic_distances(mesh, distance, source); }));
     Paths paths(mesh);
     paths.add_source_point(source);
-    builds.push_back(milliseconds_of([&]() { paths.build_sequence_tree(); }));
-    directions.push_back(milliseconds_of([&]() { paths.directions_at_source(direction); }));
+    builds.push_back(milliseconds_of(settings.clock_id(), [&]() { paths.build_sequence_tree(); }));
+    directions.push_back(milliseconds_of(settings.clock_id(), [&]() { paths.directions_at_source(direction); }));
     both.push_back(builds.back() + directions.back());
   }
   std::cout << file_name(file) << ',' << level << ',' << mesh.number_of_faces() << ',' << cell(median(distances), 3)
