@@ -163,18 +163,8 @@ public:
   bool run(GoOn go_on, IsNeeded&& is_needed)
   {
     constexpr bool is_pruned = !std::is_same<std::decay_t<IsNeeded>, Every_visit>::value;
-    while(!m_queue.empty() || have_strips() || (!is_pruned && goes_on_beside_unreached_vertices()))
+    while(!m_queue.empty() || (!is_pruned && goes_on_beside_unreached_vertices()))
     {
-      if constexpr(Strips::exist)
-        if(is_strip_next())
-        {
-          if(m_end.is_reached_at(m_strips.top_key(), m_wavefront.distances()))
-            return true;
-          if(!go_on(m_stars.statistics().vertices_visited, m_end.reached_distance()))
-            return false;
-          cross_strips();
-          continue;
-        }
       if(m_end.is_reached_at(m_queue.top_key(), m_wavefront.distances()))
         return true;
       if(!go_on(m_stars.statistics().vertices_visited, m_end.reached_distance()))
@@ -189,6 +179,7 @@ public:
       m_star.surround(m_mesh, m_queue.top());
       const FT key = m_queue.top_key();
       m_queue.pop();
+      cross_strips();
       m_wavefront.take(m_star, key, m_slots);
       // The vertex that will probably be next is far away, with many sources or on a large mesh: fetch its star
       // meanwhile. (A visit pushes vertices behind itself, so that it hardly ever is another one.)
@@ -196,6 +187,8 @@ public:
       m_mesh.prefetch_star(next);
       m_stars.propagate(m_star);
       m_mesh.prefetch_faces_of_star(next);
+      if constexpr(Strips::exist)
+        m_strips.prefetch_star(next);
       put_back();
       CGAL_expensive_assertion(is_pruned || m_wavefront.is_queued_around(m_star, m_queue));
     }
@@ -252,32 +245,13 @@ private:
       (std::max)(m_maximum_windows_alive, static_cast<std::size_t>(m_slots.number_of_windows));
   }
 
-  // Do any strips wait? (A constant without curves, so that the loop of a run is the same as without this policy.)
-  bool have_strips() const
-  {
-    if constexpr(Strips::exist)
-      return !m_strips.empty();
-    else
-      return false;
-  }
-
-  // Is a strip at least as near as the nearest vertex that waits? In a tie strips come first: they improve vertices,
-  // and a vertex that is visited should have its last distance.
-  bool is_strip_next() const
-  {
-    return !m_strips.empty() && (m_queue.empty() || m_strips.top_key() <= m_queue.top_key());
-  }
-
-  // Lets the nearest lists of strips cross their faces, up to the next vertex. Ends from time to time, so that the
-  // visitor is asked.
+  // Lets the strips around the vertex cross its star, before the windows do: they improve vertices, and windows are
+  // compared with these.
   void cross_strips()
   {
-    constexpr int lists_at_once = 16;
-    bool are_windows_stale = false;
-    for(int i = 0; i < lists_at_once && is_strip_next(); ++i)
-      are_windows_stale |= m_strips.cross_nearest(m_wavefront, pusher());
-    if(are_windows_stale)
-      m_wavefront.expect_stale_windows(m_queue.largest_key());
+    if constexpr(Strips::exist)
+      if(m_strips.cross_star(m_star, m_wavefront, pusher()))
+        m_wavefront.expect_stale_windows(m_queue.largest_key());
   }
 
   // Starts once more beside vertices that rounding has left without a distance (see Wavefront); not under a maximum

@@ -69,6 +69,8 @@
 #endif
 #endif
 
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/bit_counting.h>
+
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -105,6 +107,8 @@ namespace internal {
 template <typename Columns>
 std::size_t keep_rows(Columns& columns, std::size_t first, unsigned int useful)
 {
+  if((useful & (useful + 1)) == 0) // most often: no gaps
+    return first + trailing_zeros(std::uint64_t(useful) + 1);
   std::size_t end = first;
   for(std::size_t i = first; useful != 0; ++i, useful >>= 1)
     if((useful & 1) != 0)

@@ -30,7 +30,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/memory_hints.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Wavefront.h>
-#include <CGAL/Surface_mesh_geodesics/internal/propagation/Wavefront_queue.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Vertex_star.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/curves/Source_curves.h>
@@ -49,6 +49,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -74,7 +75,7 @@ public:
 
   // Both must outlive this object.
   Strip_front(const Mesh& mesh, const Field& field, Lane_choice lanes = Lane_choice::BEST)
-    : m_mesh(mesh), m_field(field), m_queue(0), m_loops(lanes, strip_list_loops<FT>)
+    : m_mesh(mesh), m_field(field), m_loops(lanes, strip_list_loops<FT>)
   {}
 
   // Removes all strips. The mesh may have changed since. Linear in the number of halfedges on which strips have waited
@@ -91,7 +92,6 @@ public:
       m_pool.release(m_lists[i]);
       m_free.push_back(i);
     }
-    m_queue.restart(4 * m_mesh.number_of_faces()); // halfedges take the place of vertices
     m_slot.resize(4 * m_mesh.number_of_faces(), null_id);
     m_foot.resize(m_mesh.number_of_vertices());
     m_maximum_distance = Field::infinity();
@@ -118,54 +118,34 @@ public:
     for(std::uint32_t i = 0; i < curves.edges.size(); ++i)
     {
       const Source_edge<FT>& e = curves.edges[i];
-      add_first_strip(e.left, e.offset, 2 * i);
-      add_first_strip(e.right, e.offset, 2 * i + 1);
+      add_first_strip(e.left, e.offset, 2 * i, push);
+      add_first_strip(e.right, e.offset, 2 * i + 1, push);
     }
   }
 
-  bool empty() const { return m_queue.empty(); }
-
-  // No strip that waits is nearer. Requires: !empty().
-  const FT& top_key() const { return m_queue.top_key(); }
-
-  // Lets the strips of the nearest halfedge cross its face. Returns whether they have improved a vertex that had
-  // emitted windows. Requires: !empty().
+  // Lets all strips that wait around the vertex of a star cross its faces, until they leave it. Improves the distances
+  // of the field at once: the star takes them over afterward (Wavefront::take()). Returns whether a strip has improved
+  // a vertex that had emitted windows. Requires: star.surround() was called.
   template <typename Wave, typename Push>
-  bool cross_nearest(Wave& wavefront, Push push)
+  bool cross_star(const Vertex_star<FT>& star, Wave& wavefront, Push push)
   {
-    CGAL_expensive_assertion(!empty());
-    const Halfedge_id h = m_queue.top();
-    m_queue.pop();
-    // The halfedge that will probably be next is far away: what is known of it is fetched meanwhile, step by step.
-    const Halfedge_id next = m_queue.empty() ? h : m_queue.top();
-    prefetch(&m_slot[next]);
-    prefetch(&m_mesh.face(face_of(next)));
-    const std::size_t taken = take(h);
-    const Face_frame<FT> c = m_mesh.face_frame(h);
-    const Vertex_rival<FT> a = rival(c.origin), b = rival(c.target);
-    // Vertices may have become nearer since the strips were added.
-    const Entered_strips<FT> entered = m_loops(taken).enter(m_crossing, taken, c, a, b);
-    m_number_crossed += entered.number;
-    prefetch_list(next);
-    keep_for_queries(h, entered.number);
-    const bool are_windows_stale = entered.least_apex_distance < m_field.distance[c.apex]
-                                && improve_apex(entered.number, h, c, wavefront, push);
-    const std::size_t n = leave_out_oldest(entered.number);
-    // All strips have improved the apex by now. What is known of the path to it decides which of their rays go on; a
-    // path that enters the face across another edge decides nothing. The known distance is enlarged by the error of
-    // distances, so that ties keep the strip.
-    const Vertex_arrival<FT>& arrival = m_field.arrival[c.apex];
-    const FT known = arrival.halfedge == h ? FT(m_field.distance[c.apex] / (1 - Tolerance<FT>::distance()))
-                                           : Field::infinity();
-    const Vertex_rival<FT> apex = rival(c.apex);
-    if(c.left_length > 0)
-      cross(c.left, n, Strip_side<FT>{c.left_length, left_angle(c), a, apex, c.length, arrival.abscissa, known,
-                                      m_maximum_distance}, &Strip_list_loops<FT>::cross_left);
-    if(c.right_length > 0)
-      cross(c.right, n, Strip_side<FT>{c.right_length, right_angle(c), apex, b, c.length, arrival.abscissa, known,
-                                       m_maximum_distance}, &Strip_list_loops<FT>::cross_right);
-    prefetch_strips(next);
+    prefetch_lists(star);
+    bool are_windows_stale = false;
+    for(const Star_face<FT>& f : star.faces)
+      if(m_slot[f.halfedge] != null_id)
+        are_windows_stale |= turn<true>(f.halfedge, wavefront, push);
+    for(auto f = star.faces.rbegin(); f != star.faces.rend(); ++f)
+      if(m_slot[previous_halfedge(f->halfedge)] != null_id)
+        are_windows_stale |= turn<false>(previous_halfedge(f->halfedge), wavefront, push);
     return are_windows_stale;
+  }
+
+  // Fetches what tells where the lists around a vertex are; useful before a visit of the vertex.
+  void prefetch_star(Vertex_id v) const
+  {
+    if(m_mesh.has_star(v))
+      for(const Halfedge_id* h = m_mesh.star_begin(v); h != m_mesh.star_end(v); ++h)
+        prefetch(&m_slot[*h]);
   }
 
   // Where a strip last improved a vertex: the foot of that path. It counts for vertices that are their own roots, but
@@ -189,6 +169,24 @@ private:
   using List = Strip_list<FT>;
   using Cross = Strip_children<FT> (*)(Strip_columns<FT>&, std::size_t, const Strip_side<FT>&, Strip_columns<FT>&);
 
+  // Fetches the lists that wait around the vertex of a star.
+  void prefetch_lists(const Vertex_star<FT>& star) const
+  {
+    const auto for_each_slot = [&](auto visit)
+    {
+      for(const Star_face<FT>& f : star.faces)
+        for(const Halfedge_id h : {f.halfedge, previous_halfedge(f.halfedge)})
+          if(m_slot[h] != null_id)
+            visit(m_slot[h]);
+    };
+    for_each_slot([&](std::uint32_t i) { prefetch(&m_lists[i]); });
+    for_each_slot([&](std::uint32_t i)
+    {
+      for(std::size_t k = 0; k < (std::min)(most_strips_to_fetch, std::size_t(m_lists[i].size)); ++k)
+        prefetch(m_lists[i].strips + k);
+    });
+  }
+
   // The path to a vertex as a rival of strips. Degenerate vertices win ties, as against windows: in faces without
   // extent strips would go around forever.
   Vertex_rival<FT> rival(Vertex_id v) const
@@ -198,7 +196,8 @@ private:
 
   // Adds the strip of a whole source edge, on one side of it. Its rays are perpendicular to the edge, and its function
   // is constant. Does nothing at the border, and for an edge without length, whose ends are sources anyway.
-  void add_first_strip(Halfedge_id h, const FT& offset, std::uint32_t side)
+  template <typename Push>
+  void add_first_strip(Halfedge_id h, const FT& offset, std::uint32_t side, Push push)
   {
     if(h == null_id || !(m_mesh.length(h) > 0) || offset > m_maximum_distance)
       return;
@@ -206,23 +205,60 @@ private:
     m_pool.reserve(strips, 1);
     strips.strips[strips.size++] = Strip<FT>{FT(0), m_mesh.length(h), FT(0), FT(1), offset, FT(0), side, 0};
     ++m_number_created;
-    m_queue.push_or_decrease(h, offset);
+    push_nearer(m_mesh.source(h), m_mesh.target(h), offset, push);
   }
 
-  void prefetch_list(Halfedge_id h) const
+  // Lets the strips of a halfedge turn around a vertex, its origin (counterclockwise) or its target (clockwise): the
+  // strips cross one face after the other, and those of each halfedge on the way join them. Others leave the star and
+  // wait there. Ends when no strip goes on. Requires: strips wait on h.
+  template <bool is_counterclockwise, typename Wave, typename Push>
+  bool turn(Halfedge_id h, Wave& wavefront, Push push)
   {
-    if(m_slot[h] != null_id)
-      prefetch(&m_lists[m_slot[h]]);
+    bool are_windows_stale = false;
+    m_most_faces_crossed = 0;
+    for(std::size_t n = take(h, 0); n != 0;)
+    {
+      const Face_frame<FT> c = m_mesh.face_frame(h);
+      are_windows_stale |= enter(h, c, n, wavefront, push);
+      // All strips have improved the apex by now. What is known of the path to it decides which of their rays go on; a
+      // path that enters the face across another edge decides nothing. The known distance is enlarged by the error of
+      // distances, so that ties keep the strip.
+      const Vertex_arrival<FT>& arrival = m_field.arrival[c.apex];
+      const FT known = arrival.halfedge == h ? FT(m_field.distance[c.apex] / (1 - Tolerance<FT>::distance()))
+                                             : Field::infinity();
+      const Vertex_rival<FT> a = rival(c.origin), b = rival(c.target), apex = rival(c.apex);
+      const Strip_side<FT> left{c.left_length, left_angle(c), a, apex, c.length, arrival.abscissa, known,
+                                m_maximum_distance};
+      const Strip_side<FT> right{c.right_length, right_angle(c), apex, b, c.length, arrival.abscissa, known,
+                                 m_maximum_distance};
+      if(is_counterclockwise)
+        leave(c.right, n, right, &Strip_list_loops<FT>::cross_right, c.apex, c.target, push);
+      else
+        leave(c.left, n, left, &Strip_list_loops<FT>::cross_left, c.origin, c.apex, push);
+      n = is_counterclockwise ? cross(c.left, n, left, &Strip_list_loops<FT>::cross_left).number
+                              : cross(c.right, n, right, &Strip_list_loops<FT>::cross_right).number;
+      std::swap(m_crossing, m_children);
+      h = is_counterclockwise ? c.left : c.right;
+      ++m_most_faces_crossed;
+      if(h != null_id && m_slot[h] != null_id)
+        n += take(h, n);
+    }
+    return are_windows_stale;
   }
 
-  void prefetch_strips(Halfedge_id h) const
+  // Lets n strips enter the face of h: trims them, keeps them for queries, and improves the apex. Sets n to the number
+  // of those that are left. Returns whether the apex had emitted windows before it was improved.
+  template <typename Wave, typename Push>
+  bool enter(Halfedge_id h, const Face_frame<FT>& c, std::size_t& n, Wave& wavefront, Push push)
   {
-    constexpr std::size_t most = 16;
-    if(m_slot[h] == null_id)
-      return;
-    const List& strips = m_lists[m_slot[h]];
-    for(std::size_t i = 0; i < (std::min)(most, std::size_t(strips.size)); ++i)
-      prefetch(strips.strips + i);
+    // Vertices may have become nearer since the strips were added.
+    const Entered_strips<FT> entered = m_loops(n).enter(m_crossing, n, c, rival(c.origin), rival(c.target));
+    m_number_crossed += entered.number;
+    keep_for_queries(h, entered.number);
+    const bool are_windows_stale = entered.shortest_path_to_apex < m_field.distance[c.apex]
+                                && improve_apex(nearest_strip(entered), h, c, wavefront, push);
+    n = leave_out_oldest(entered.number);
+    return are_windows_stale;
   }
 
   // The list of a halfedge, which is made if there is none. The reference is valid until the next list is made.
@@ -243,25 +279,24 @@ private:
     return m_lists[m_slot[h]];
   }
 
-  // Moves the strips of a halfedge to m_crossing, and returns their number. Their list is free then: a child of one of
-  // them may need it, on a face that is glued to itself.
-  std::size_t take(Halfedge_id h)
+  // Moves the strips of a halfedge to m_crossing, behind n strips that are there, and returns their number. Their list
+  // is free then: a child of one of them may need it, on a face that is glued to itself. Requires: strips wait on h.
+  std::size_t take(Halfedge_id h, std::size_t n)
   {
-    List& list_of_h = list(h);
+    List& list_of_h = m_lists[m_slot[h]];
     const Strip<FT>* const strips = list_of_h.strips;
-    const std::size_t n = list_of_h.size;
-    m_crossing.reserve(n);
-    m_most_faces_crossed = 0;
-    for(std::size_t i = 0; i < n; ++i)
+    const std::size_t size = list_of_h.size;
+    m_crossing.reserve(n + size, n);
+    for(std::size_t i = 0; i < size; ++i)
     {
-      m_crossing.set(i, strips[i]);
+      m_crossing.set(n + i, strips[i]);
       m_most_faces_crossed = (std::max)(m_most_faces_crossed, strips[i].faces_crossed);
     }
     m_pool.release(list_of_h);
     m_free.push_back(m_slot[h]);
     m_halfedge[m_slot[h]] = null_id;
     m_slot[h] = null_id;
-    return n;
+    return size;
   }
 
   // Also keeps slivers, which go no farther: points of this face may lie on their rays.
@@ -285,33 +320,47 @@ private:
     return end;
   }
 
-  // Lets the children of n strips wait on a halfedge beyond the face, if there is one.
-  void cross(Halfedge_id h, std::size_t n, const Strip_side<FT>& side, Cross Strip_list_loops<FT>::*loop)
+  // Makes the children of n strips beyond a side of the face, in m_children; none at the border, and none beyond a side
+  // without length.
+  Strip_children<FT> cross(Halfedge_id h, std::size_t n, const Strip_side<FT>& side, Cross Strip_list_loops<FT>::*loop)
   {
-    if(h == null_id || n == 0)
-      return;
-    m_children.reserve(n);
+    if(h == null_id || n == 0 || !(side.length > 0))
+      return {0, Field::infinity()};
+    m_children.reserve(n, 0);
     const Strip_children<FT> children = (m_loops(n).*loop)(m_crossing, n, side, m_children);
+    m_number_created += children.number;
+    return children;
+  }
+
+  // Lets the children of n strips beyond a side from a to b wait there.
+  template <typename Push>
+  void leave(Halfedge_id h, std::size_t n, const Strip_side<FT>& side, Cross Strip_list_loops<FT>::*loop,
+             Vertex_id a, Vertex_id b, Push push)
+  {
+    const Strip_children<FT> children = cross(h, n, side, loop);
     if(children.number == 0)
       return;
     List& strips = list(h);
     m_pool.reserve(strips, children.number);
     for(std::size_t i = 0; i < children.number; ++i)
       strips.strips[strips.size++] = m_children.get(i);
-    m_number_created += children.number;
-    m_queue.push_or_decrease(h, children.least_distance);
+    push_nearer(a, b, children.least_distance, push);
   }
 
-  // Improves the apex by those of n strips that are nearer. (No path along a ray is shorter than the linear function,
-  // so most strips need no look at where their rays end.)
-  template <typename Wave, typename Push>
-  bool improve_apex(std::size_t n, Halfedge_id h, const Face_frame<FT>& c, Wave& wavefront, Push push)
+  // Queues the nearer end of an edge on which strips wait. Of ends at the same distance, the first one.
+  template <typename Push>
+  void push_nearer(Vertex_id a, Vertex_id b, const FT& key, Push push) const
   {
-    bool are_windows_stale = false;
-    for(std::size_t i = 0; i < n; ++i)
-      if(m_crossing.apex_distance()[i] < m_field.distance[c.apex])
-        are_windows_stale |= improve_apex(m_crossing.get(i), h, c, wavefront, push);
-    return are_windows_stale;
+    push(m_field.distance[b] < m_field.distance[a] ? b : a, key);
+  }
+
+  // The strip with the shortest path to the apex, the first one if several tie. Requires: there is one.
+  Strip<FT> nearest_strip(const Entered_strips<FT>& entered)
+  {
+    const FT* const path = m_crossing.path_to_apex();
+    const FT* const nearest = std::find(path, path + entered.number, entered.shortest_path_to_apex);
+    CGAL_assertion(nearest != path + entered.number);
+    return m_crossing.get(static_cast<std::size_t>(nearest - path));
   }
 
   // Improves the apex by a path along a ray. Paths run back to the image of its foot as to that of a root: as in
@@ -336,15 +385,16 @@ private:
     return are_windows_stale;
   }
 
+  static constexpr std::size_t most_strips_to_fetch = 16; // of a list; the processor finds the others itself
+
   const Mesh& m_mesh;
   const Field& m_field;
-  Wavefront_queue<FT> m_queue;       // of halfedges
   std::vector<std::uint32_t> m_slot; // by halfedge: the place of its list, or null_id
   Strip_pool<FT> m_pool;
   std::vector<List> m_lists;
   std::vector<Halfedge_id> m_halfedge; // by place in m_lists: on which it waits; null_id if the place is free
   std::vector<std::uint32_t> m_free;
-  Strip_columns<FT> m_crossing, m_children; // of the strips that cross a face; buffers between calls
+  Strip_columns<FT> m_crossing, m_children; // strips that cross a face, and their children; buffers between calls
   std::uint32_t m_most_faces_crossed = 0;   // by one of m_crossing
   Loops_by_length<Strip_list_loops<FT>> m_loops;
   std::vector<Strip_foot<FT>> m_foot; // by vertex

@@ -50,11 +50,13 @@ private:
       const Mask is_useful = L::first(n - i) & trim_strips(s, c.length, a, b);
       const Number apex_distance = (s.distance + L::rounded_product(s.direction_x, c.apex_x))
                                  + L::rounded_product(s.direction_y, c.apex_y);
-      least = L::minimum(least, L::select(is_useful, apex_distance, infinity));
+      const Number crossing = L::all(c.apex_x) - L::rounded_product(s.direction_x / s.direction_y, c.apex_y);
+      const Number path = path_to_apex(s, c, crossing, apex_distance);
+      least = L::minimum(least, L::select(is_useful, path, infinity));
       store_strips(strips, end, s);
-      L::store(strips.apex_crossing() + end,
-               L::all(c.apex_x) - L::rounded_product(s.direction_x / s.direction_y, c.apex_y));
+      L::store(strips.apex_crossing() + end, crossing);
       L::store(strips.apex_distance() + end, apex_distance);
+      L::store(strips.path_to_apex() + end, path);
       end = keep_rows(strips, end, L::bits(is_useful));
     }
     return {end, L::least(least)};

@@ -18,13 +18,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// A buffer of rows; row i of all columns together is strip i. There are two more columns for what a strip knows of the
+// A buffer of rows; row i of all columns together is strip i. There are three more columns for what a strip knows of the
 // apex of its face. Loops read and write all lanes of their last step, so there are `padding` more rows than strips.
 //
 // Invariant: all rows hold numbers, whatever they mean.
@@ -34,16 +35,18 @@ class Strip_columns
 public:
   static constexpr std::size_t padding = 8; // the largest number of lanes
 
-  // Makes room for n strips. What the rows held before is lost if there was not enough.
-  void reserve(std::size_t n)
+  // Makes room for n strips. Of what the rows held before, the first `used` ones are kept. Requires: used <= n.
+  void reserve(std::size_t n, std::size_t used)
   {
     if(n + padding <= m_height)
       return;
-    const std::size_t height = 2 * n + padding;
-    m_height = 0; // in case that there is no memory
-    m_numbers.assign(8 * height, FT(0));
-    m_histories.assign(height, 0);
-    m_height = height;
+    Strip_columns larger;
+    larger.m_height = 2 * n + padding;
+    larger.m_numbers.assign(9 * larger.m_height, FT(0));
+    larger.m_histories.assign(larger.m_height, 0);
+    for(std::size_t i = 0; i < used; ++i)
+      larger.set(i, get(i));
+    *this = std::move(larger);
   }
 
   FT* begin() { return column(0); }
@@ -54,6 +57,7 @@ public:
   FT* foot() { return column(5); }
   FT* apex_crossing() { return column(6); } // where the ray through the apex crosses AB
   FT* apex_distance() { return column(7); } // the value of the linear function at the apex
+  FT* path_to_apex() { return column(8); }  // the length of the shortest path (Ray_arrival::distance)
   std::uint64_t* history() { return m_histories.data(); } // the side, and the number of faces in the higher half
 
   static constexpr std::uint64_t one_face = std::uint64_t(1) << 32;
@@ -83,9 +87,10 @@ public:
     set(to, get(from));
     apex_crossing()[to] = apex_crossing()[from];
     apex_distance()[to] = apex_distance()[from];
+    path_to_apex()[to] = path_to_apex()[from];
   }
 
-  std::size_t memory() const { return m_height * (8 * sizeof(FT) + sizeof(std::uint64_t)); }
+  std::size_t memory() const { return m_height * (9 * sizeof(FT) + sizeof(std::uint64_t)); }
 
 private:
   FT* column(std::size_t k) { return m_numbers.data() + k * m_height; }

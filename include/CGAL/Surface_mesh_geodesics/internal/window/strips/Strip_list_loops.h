@@ -34,7 +34,7 @@ template <typename FT>
 struct Entered_strips
 {
   std::size_t number;
-  FT least_apex_distance; // infinity if there are none
+  FT shortest_path_to_apex; // infinity if there are none
 };
 
 // One of the edges AC and CB, and which rays go there.
