@@ -205,14 +205,15 @@ public:
     Propagation_statistics s = m_stars.statistics();
     s.maximum_windows_alive = m_maximum_windows_alive;
     s.maximum_window_bytes = m_stars.memory() + m_wavefront.memory();
+    // The caller adds the mesh and the results.
+    s.intrinsic_mesh_bytes = m_wavefront.table_memory() + m_queue.table_memory();
     if constexpr(Strips::exist)
     {
       s.windows_created += m_strips.number_created();
       s.windows_propagated += m_strips.number_crossed();
       s.maximum_window_bytes += m_strips.memory();
+      s.intrinsic_mesh_bytes += m_strips.table_memory();
     }
-    // The caller adds the mesh and the results.
-    s.intrinsic_mesh_bytes = m_wavefront.table_memory() + m_queue.table_memory();
     return s;
   }
 

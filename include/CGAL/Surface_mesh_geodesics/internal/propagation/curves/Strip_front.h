@@ -10,9 +10,11 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_CURVES_STRIP_FRONT_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_CURVES_STRIP_FRONT_H
 
-// All strips that wait, and what they do when their turn comes. Strips wait on halfedges, in lists. Those of the
-// halfedge with the nearest strip are trimmed by the ends of their edge, cross one face, improve the apex, and leave up
-// to two children each. Distance_propagation takes turns between these lists and its vertices.
+// All strips that wait, and how they cross the star of a vertex. Strips wait on halfedges, in lists, as windows do.
+// When a vertex is visited (Distance_propagation.h), all strips that wait around it turn around it: they cross one face
+// after the other, are trimmed by the ends of each edge, improve the apex of each face, and leave the star in the end.
+// They wait on the edges of the link then, and the nearer end of each edge is queued. So strips need no queue of their
+// own, and those that reach an edge from several sides cross it together.
 //
 // Why these lists are not those of windows: strips have no order by keys, and no rule for pairs needs one. Of two
 // strips on one edge, both are kept until vertices trim them.
@@ -24,13 +26,14 @@
 // compares a strip with a path of any kind, and needs no order. Ties keep the strip.
 //
 // Time goes into memory, not into arithmetic: a list has been put long before it crosses, and is in no cache then. So
-// lists lie in a pool (Strip_pool.h), and while one of them crosses, the next one is fetched.
+// lists lie in a pool (Strip_pool.h), all those around a vertex are fetched before the first one crosses, and strips
+// that go on around the vertex stay where they are, in columns (Strip_columns.h).
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/memory_hints.h>
-#include <CGAL/Surface_mesh_geodesics/internal/propagation/Wavefront.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Vertex_star.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Wavefront.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/curves/Source_curves.h>
@@ -61,9 +64,9 @@ namespace internal {
 //
 // The policy of a propagation with curves among its sources; No_strips (Distance_propagation.h) is that without.
 //
-// Invariants, between calls: the queue has the halfedges on which strips wait, each with a key that is not greater than
-// the distance of any of them. m_slot tells their lists, m_free the other places of m_lists. m_halfedge has at least as
-// many places as m_lists.
+// Invariants, between calls: of each halfedge on which strips wait, an end is in the queue of the propagation, with a
+// key that is not greater than the distance of any of them. m_slot tells their lists, m_free the other places of
+// m_lists. m_halfedge has at least as many places as m_lists.
 template <typename FT>
 class Strip_front
 {
@@ -87,12 +90,12 @@ public:
     for(std::uint32_t i = 0; i < m_lists.size(); ++i)
     {
       if(m_halfedge[i] != null_id)
-        m_slot[m_halfedge[i]] = null_id;
+        slot(m_halfedge[i]) = null_id;
       m_halfedge[i] = null_id;
       m_pool.release(m_lists[i]);
       m_free.push_back(i);
     }
-    m_slot.resize(4 * m_mesh.number_of_faces(), null_id);
+    m_slot.resize(3 * m_mesh.number_of_faces(), null_id);
     m_foot.resize(m_mesh.number_of_vertices());
     m_maximum_distance = Field::infinity();
     m_number_crossed = m_number_created = 0;
@@ -125,17 +128,18 @@ public:
 
   // Lets all strips that wait around the vertex of a star cross its faces, until they leave it. Improves the distances
   // of the field at once: the star takes them over afterward (Wavefront::take()). Returns whether a strip has improved
-  // a vertex that had emitted windows. Requires: star.surround() was called.
+  // a vertex that had emitted windows. Takes time linear in the degree of the vertex and in the number of crossings.
+  // Requires: star.surround() was called.
   template <typename Wave, typename Push>
   bool cross_star(const Vertex_star<FT>& star, Wave& wavefront, Push push)
   {
     prefetch_lists(star);
     bool are_windows_stale = false;
     for(const Star_face<FT>& f : star.faces)
-      if(m_slot[f.halfedge] != null_id)
+      if(slot(f.halfedge) != null_id)
         are_windows_stale |= turn<true>(f.halfedge, wavefront, push);
     for(auto f = star.faces.rbegin(); f != star.faces.rend(); ++f)
-      if(m_slot[previous_halfedge(f->halfedge)] != null_id)
+      if(slot(previous_halfedge(f->halfedge)) != null_id)
         are_windows_stale |= turn<false>(previous_halfedge(f->halfedge), wavefront, push);
     return are_windows_stale;
   }
@@ -145,7 +149,7 @@ public:
   {
     if(m_mesh.has_star(v))
       for(const Halfedge_id* h = m_mesh.star_begin(v); h != m_mesh.star_end(v); ++h)
-        prefetch(&m_slot[*h]);
+        prefetch(&slot(*h));
   }
 
   // Where a strip last improved a vertex: the foot of that path. It counts for vertices that are their own roots, but
@@ -161,8 +165,14 @@ public:
 
   std::size_t memory() const
   {
-    return m_pool.memory() + m_lists.capacity() * sizeof(List) + m_crossing.memory() + m_children.memory()
-         + m_foot.capacity() * sizeof(Strip_foot<FT>) + 2 * m_slot.capacity() * sizeof(std::uint32_t);
+    return m_pool.memory() + m_lists.capacity() * (sizeof(List) + sizeof(Halfedge_id)) + m_crossing.memory()
+         + m_children.memory();
+  }
+
+  // Bytes of the tables that have an entry for each vertex or halfedge of the mesh.
+  std::size_t table_memory() const
+  {
+    return m_foot.capacity() * sizeof(Strip_foot<FT>) + m_slot.capacity() * sizeof(std::uint32_t);
   }
 
 private:
@@ -176,8 +186,8 @@ private:
     {
       for(const Star_face<FT>& f : star.faces)
         for(const Halfedge_id h : {f.halfedge, previous_halfedge(f.halfedge)})
-          if(m_slot[h] != null_id)
-            visit(m_slot[h]);
+          if(slot(h) != null_id)
+            visit(slot(h));
     };
     for_each_slot([&](std::uint32_t i) { prefetch(&m_lists[i]); });
     for_each_slot([&](std::uint32_t i)
@@ -186,6 +196,9 @@ private:
         prefetch(m_lists[i].strips + k);
     });
   }
+
+  std::uint32_t& slot(Halfedge_id h) { return m_slot[dense_index(h)]; }
+  const std::uint32_t& slot(Halfedge_id h) const { return m_slot[dense_index(h)]; }
 
   // The path to a vertex as a rival of strips. Degenerate vertices win ties, as against windows: in faces without
   // extent strips would go around forever.
@@ -220,27 +233,21 @@ private:
     {
       const Face_frame<FT> c = m_mesh.face_frame(h);
       are_windows_stale |= enter(h, c, n, wavefront, push);
-      // All strips have improved the apex by now. What is known of the path to it decides which of their rays go on; a
-      // path that enters the face across another edge decides nothing. The known distance is enlarged by the error of
-      // distances, so that ties keep the strip.
-      const Vertex_arrival<FT>& arrival = m_field.arrival[c.apex];
-      const FT known = arrival.halfedge == h ? FT(m_field.distance[c.apex] / (1 - Tolerance<FT>::distance()))
-                                             : Field::infinity();
-      const Vertex_rival<FT> a = rival(c.origin), b = rival(c.target), apex = rival(c.apex);
-      const Strip_side<FT> left{c.left_length, left_angle(c), a, apex, c.length, arrival.abscissa, known,
-                                m_maximum_distance};
-      const Strip_side<FT> right{c.right_length, right_angle(c), apex, b, c.length, arrival.abscissa, known,
-                                 m_maximum_distance};
+      const FT known = known_path_to_apex(h, c);
       if(is_counterclockwise)
-        leave(c.right, n, right, &Strip_list_loops<FT>::cross_right, c.apex, c.target, push);
+      {
+        leave(c.right, make_children(n, right_side(c, known)), c.apex, c.target, push);
+        n = make_children(n, left_side(c, known)).number;
+      }
       else
-        leave(c.left, n, left, &Strip_list_loops<FT>::cross_left, c.origin, c.apex, push);
-      n = is_counterclockwise ? cross(c.left, n, left, &Strip_list_loops<FT>::cross_left).number
-                              : cross(c.right, n, right, &Strip_list_loops<FT>::cross_right).number;
+      {
+        leave(c.left, make_children(n, left_side(c, known)), c.origin, c.apex, push);
+        n = make_children(n, right_side(c, known)).number;
+      }
       std::swap(m_crossing, m_children);
       h = is_counterclockwise ? c.left : c.right;
       ++m_most_faces_crossed;
-      if(h != null_id && m_slot[h] != null_id)
+      if(h != null_id && slot(h) != null_id)
         n += take(h, n);
     }
     return are_windows_stale;
@@ -264,7 +271,7 @@ private:
   // The list of a halfedge, which is made if there is none. The reference is valid until the next list is made.
   List& list(Halfedge_id h)
   {
-    if(m_slot[h] == null_id)
+    if(slot(h) == null_id)
     {
       if(m_free.empty())
       {
@@ -272,18 +279,18 @@ private:
         m_lists.emplace_back();
         m_free.push_back(static_cast<std::uint32_t>(m_lists.size() - 1));
       }
-      m_slot[h] = m_free.back();
+      slot(h) = m_free.back();
       m_halfedge[m_free.back()] = h;
       m_free.pop_back();
     }
-    return m_lists[m_slot[h]];
+    return m_lists[slot(h)];
   }
 
   // Moves the strips of a halfedge to m_crossing, behind n strips that are there, and returns their number. Their list
   // is free then: a child of one of them may need it, on a face that is glued to itself. Requires: strips wait on h.
   std::size_t take(Halfedge_id h, std::size_t n)
   {
-    List& list_of_h = m_lists[m_slot[h]];
+    List& list_of_h = m_lists[slot(h)];
     const Strip<FT>* const strips = list_of_h.strips;
     const std::size_t size = list_of_h.size;
     m_crossing.reserve(n + size, n);
@@ -293,9 +300,9 @@ private:
       m_most_faces_crossed = (std::max)(m_most_faces_crossed, strips[i].faces_crossed);
     }
     m_pool.release(list_of_h);
-    m_free.push_back(m_slot[h]);
-    m_halfedge[m_slot[h]] = null_id;
-    m_slot[h] = null_id;
+    m_free.push_back(slot(h));
+    m_halfedge[slot(h)] = null_id;
+    slot(h) = null_id;
     return size;
   }
 
@@ -320,24 +327,59 @@ private:
     return end;
   }
 
-  // Makes the children of n strips beyond a side of the face, in m_children; none at the border, and none beyond a side
-  // without length.
-  Strip_children<FT> cross(Halfedge_id h, std::size_t n, const Strip_side<FT>& side, Cross Strip_list_loops<FT>::*loop)
+  // What is known of the apex when all strips have improved it: the length of the path, if it enters the face across h;
+  // a path across another edge decides nothing. It is enlarged by the error of distances, so that ties keep the strip.
+  FT known_path_to_apex(Halfedge_id h, const Face_frame<FT>& c) const
   {
-    if(h == null_id || n == 0 || !(side.length > 0))
+    return m_field.arrival[c.apex].halfedge == h ? FT(m_field.distance[c.apex] / (1 - Tolerance<FT>::distance()))
+                                                 : Field::infinity();
+  }
+
+  // A side of a face, and what crosses it.
+  struct Side_to_cross
+  {
+    bool exists; // strips may go on there: it is no border, and has a length
+    Strip_side<FT> side;
+    Cross Strip_list_loops<FT>::*loop;
+  };
+
+  Side_to_cross left_side(const Face_frame<FT>& c, const FT& known) const
+  {
+    if(c.left == null_id || !(c.left_length > 0))
+      return {false, no_side(), nullptr};
+    return {true, {c.left_length, left_angle(c), rival(c.origin), rival(c.apex), c.length,
+                   m_field.arrival[c.apex].abscissa, known, m_maximum_distance}, &Strip_list_loops<FT>::cross_left};
+  }
+
+  Side_to_cross right_side(const Face_frame<FT>& c, const FT& known) const
+  {
+    if(c.right == null_id || !(c.right_length > 0))
+      return {false, no_side(), nullptr};
+    return {true, {c.right_length, right_angle(c), rival(c.apex), rival(c.target), c.length,
+                   m_field.arrival[c.apex].abscissa, known, m_maximum_distance}, &Strip_list_loops<FT>::cross_right};
+  }
+
+  static Strip_side<FT> no_side()
+  {
+    const Vertex_rival<FT> none(Field::infinity(), false);
+    return {FT(0), Side_angle<FT>(), none, none, FT(0), FT(0), Field::infinity(), FT(0)};
+  }
+
+  // Makes the children of n strips beyond a side of the face, in m_children.
+  Strip_children<FT> make_children(std::size_t n, const Side_to_cross& s)
+  {
+    if(!s.exists || n == 0)
       return {0, Field::infinity()};
     m_children.reserve(n, 0);
-    const Strip_children<FT> children = (m_loops(n).*loop)(m_crossing, n, side, m_children);
+    const Strip_children<FT> children = (m_loops(n).*s.loop)(m_crossing, n, s.side, m_children);
     m_number_created += children.number;
     return children;
   }
 
-  // Lets the children of n strips beyond a side from a to b wait there.
+  // Lets the children beyond a side from a to b wait there.
   template <typename Push>
-  void leave(Halfedge_id h, std::size_t n, const Strip_side<FT>& side, Cross Strip_list_loops<FT>::*loop,
-             Vertex_id a, Vertex_id b, Push push)
+  void leave(Halfedge_id h, const Strip_children<FT>& children, Vertex_id a, Vertex_id b, Push push)
   {
-    const Strip_children<FT> children = cross(h, n, side, loop);
     if(children.number == 0)
       return;
     List& strips = list(h);
@@ -395,7 +437,7 @@ private:
   std::vector<Halfedge_id> m_halfedge; // by place in m_lists: on which it waits; null_id if the place is free
   std::vector<std::uint32_t> m_free;
   Strip_columns<FT> m_crossing, m_children; // strips that cross a face, and their children; buffers between calls
-  std::uint32_t m_most_faces_crossed = 0;   // by one of m_crossing
+  std::uint32_t m_most_faces_crossed = 0; // by one of m_crossing, or a bound of it
   Loops_by_length<Strip_list_loops<FT>> m_loops;
   std::vector<Strip_foot<FT>> m_foot; // by vertex
   Edge_strip_field<FT>* m_kept = nullptr;

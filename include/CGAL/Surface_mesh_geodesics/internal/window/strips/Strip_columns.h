@@ -25,8 +25,9 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// A buffer of rows; row i of all columns together is strip i. There are three more columns for what a strip knows of the
-// apex of its face. Loops read and write all lanes of their last step, so there are `padding` more rows than strips.
+// A buffer of rows; row i of all columns together is strip i. There are three more columns for what a strip knows of
+// the apex of its face. Loops read and write all lanes of their last step, so there are `padding` more rows than
+// strips.
 //
 // Invariant: all rows hold numbers, whatever they mean.
 template <typename FT>
