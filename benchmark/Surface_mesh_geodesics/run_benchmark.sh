@@ -14,7 +14,8 @@ usage: run_benchmark.sh [options]
   --voronoi          also measure Surface_mesh_geodesic_Voronoi_diagram with 1 to 1000 sites
   --heat             also measure Heat_method_3: times and errors (needs Eigen)
   --questions        also run the programs for one question each: growth, anisotropy, sources, reach, rules,
-                     instruction_sets, schedulers, flat vertices, face queries, isolines, curves, directions, threads, phases, matrix, matrix_store, rows; draw
+                     instruction_sets, schedulers, flat vertices, face queries, isolines, curves, directions,
+                     obstacles, threads, phases, matrix, matrix_store, rows; draw
                      plots if python3 has matplotlib
   --python           also measure what the Python module adds to the time of C++ (needs the module;
                      the variable PYTHON names the interpreter)
@@ -109,7 +110,8 @@ if [ -z "$programs" ]; then
                                      benchmark_rules benchmark_instruction_sets benchmark_schedulers
                                      benchmark_flat_vertices
                                      benchmark_face_queries benchmark_isolines benchmark_curves
-                                     benchmark_directions benchmark_threads benchmark_phases benchmark_matrix
+                                     benchmark_directions benchmark_obstacles
+                                     benchmark_threads benchmark_phases benchmark_matrix
                                      benchmark_matrix_store benchmark_rows benchmark_uses_of_diagrams)
   [ "$python" = no ] || targets+=(benchmark_python)
   [ "$certify" = no ] || targets+=(benchmark_certification)
@@ -369,6 +371,7 @@ if [ "$questions" = yes ]; then
   find "$meshes" -maxdepth 1 -type f -name '*.off' | LC_ALL=C sort > "$build/list.txt"
   ask curves --minimum-faces 5000 --list "$build/list.txt"
   ask directions --subdivide 1 "$meshes/bunny00.off" "$meshes/armadillo.off" "$meshes/refined_elephant.off"
+  ask obstacles --subdivide 1 "$meshes/bunny00.off" "$meshes/armadillo.off" "$meshes/refined_elephant.off"
   # These measure wall-clock time: the machine must be idle.
   ask threads --subdivide 2 "$meshes/bunny00.off"
   ask phases --subdivide 2 "$meshes/bunny00.off"
