@@ -1,7 +1,8 @@
 // What obstacles cost: for each mesh and level of midpoint subdivision, the time of geodesic_distances() from vertex 0
 // with no faces to avoid, with an empty range of them, and with a tenth of the faces, in 20 patches; then that on the
-// rest of the mesh, once as a Face_filtered_graph, once as a mesh of its own. Prints one line of comma separated values;
-// the ratios are the medians of those of runs in turn. Processor times of whole calls; making the rest is not counted.
+// rest of the mesh, once as a Face_filtered_graph, once as a mesh of its own. Prints one line of comma separated
+// values; the ratios are the medians of those of runs in turn. Processor times of whole calls; making the rest is not
+// counted.
 
 #include "benchmark_surface.h"
 #include "runs_in_process.h"
@@ -81,8 +82,8 @@ void print_row(const Settings& settings, const std::string& file, std::size_t le
     on_rest.push_back(time([&]() { Geodesics::geodesic_distances(rest, distance_in_rest, source_in_rest); }));
   }
   std::cout << file_name(file) << ',' << level << ',' << mesh.number_of_faces() << ',' << avoided.size() << ','
-            << cell(median(alone), 1) << ',' << cell(median(with_none), 1) << ',' << cell(median(with_avoided), 1) << ','
-            << cell(median(on_filtered), 1) << ',' << cell(median(on_rest), 1) << ','
+            << cell(median(alone), 1) << ',' << cell(median(with_none), 1) << ',' << cell(median(with_avoided), 1)
+            << ',' << cell(median(on_filtered), 1) << ',' << cell(median(on_rest), 1) << ','
             << cell(median_ratio(with_none, alone), 3) << ',' << cell(median_ratio(with_avoided, on_rest), 3) << ','
             << cell(median_ratio(on_filtered, on_rest), 3) << std::endl;
 }

@@ -1,5 +1,5 @@
-// Distances from curves on cones, which unfold: in the development, a straight curve has a copy for each turn around the
-// apex, and the distance of a point is that to the nearest copy that it sees past the apex.
+// Distances from curves on cones, which unfold: in the development, a straight curve has a copy for each turn around
+// the apex, and the distance of a point is that to the nearest copy that it sees past the apex.
 
 #include "curves_in_plane.h"
 #include "test_meshes.h"

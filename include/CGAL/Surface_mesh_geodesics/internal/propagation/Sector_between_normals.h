@@ -26,6 +26,8 @@
 #include <CGAL/Surface_mesh_geodesics/internal/surface/curves/Source_curves.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Window.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -36,9 +38,10 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// Adds the angle of the face of h at the source of h.
+// Adds the angle of the face of h at the source of h. (Inlined by force: where no sum exceeds a full turn, the compiler
+// leaves out how turns are counted.)
 template <typename FT>
-void add_corner(const Intrinsic_mesh<FT>& mesh, Halfedge_id h, Angle_sum<FT>& angle)
+BOOST_FORCEINLINE void add_corner(const Intrinsic_mesh<FT>& mesh, Halfedge_id h, Angle_sum<FT>& angle)
 {
   const std::pair<FT, FT> corner = angle_direction(mesh.face(face_of(h)), index_in_face(h));
   angle.add(corner.first, corner.second);
