@@ -16,7 +16,6 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
-#include <unordered_map>
 #include <vector>
 
 namespace {
@@ -24,15 +23,19 @@ namespace {
 using Vertex = Benchmark_mesh::Vertex_index;
 using Face = Benchmark_mesh::Face_index;
 
-// Patches of about the same size, around faces that are evenly spread over the numbers. The first faces are left, as
-// vertex 0 is the source.
+// Patches of the same size, around faces that are evenly spread over the numbers. Patches do not share faces; a patch
+// ends early where others surround it.
 std::vector<Face> patches(const Benchmark_mesh& mesh, std::size_t number, std::size_t faces_in_all)
 {
   std::vector<bool> is_taken(mesh.number_of_faces(), false);
   std::vector<Face> result;
   for(std::size_t i = 1; i <= number; ++i)
   {
-    std::vector<Face> patch{Face(static_cast<Benchmark_mesh::size_type>(i * mesh.number_of_faces() / (number + 1)))};
+    Face seed(static_cast<Benchmark_mesh::size_type>(i * mesh.number_of_faces() / (number + 1)));
+    while(is_taken[seed])
+      seed = Face((seed + 1) % static_cast<Benchmark_mesh::size_type>(mesh.number_of_faces()));
+    is_taken[seed] = true;
+    std::vector<Face> patch{seed};
     for(std::size_t k = 0; k < patch.size() && patch.size() < faces_in_all / number; ++k)
       for(const Face f : faces_around_face(mesh.halfedge(patch[k]), mesh))
         if(f != Benchmark_mesh::null_face() && !is_taken[f])
@@ -45,13 +48,13 @@ std::vector<Face> patches(const Benchmark_mesh& mesh, std::size_t number, std::s
   return result;
 }
 
-// The vertex of the rest at the place of vertex 0.
+// The vertex of the rest at the place of vertex 0; the null vertex if that is inside of a patch.
 Vertex first_vertex(const Benchmark_mesh& mesh, const Benchmark_mesh& rest)
 {
   for(const Vertex v : rest.vertices())
     if(rest.point(v) == mesh.point(Vertex(0)))
       return v;
-  return Vertex(0);
+  return Benchmark_mesh::null_vertex();
 }
 
 void print_row(const Settings& settings, const std::string& file, std::size_t level, Benchmark_mesh& mesh)
@@ -66,6 +69,11 @@ void print_row(const Settings& settings, const std::string& file, std::size_t le
   CGAL::copy_face_graph(filtered, rest);
   const auto distance_in_rest = rest.add_property_map<Vertex, double>("v:distance").first;
   const Vertex source(0), source_in_rest = first_vertex(mesh, rest);
+  if(source_in_rest == Benchmark_mesh::null_vertex())
+  {
+    std::cerr << file << ": vertex 0 is inside of a patch" << std::endl;
+    return;
+  }
   std::vector<double> alone, with_none, with_avoided, on_filtered, on_rest;
   for(std::size_t i = 0; i < settings.repetitions; ++i)
   {

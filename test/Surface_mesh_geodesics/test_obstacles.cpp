@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_geodesics/geodesic_distance_matrix.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_distances.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_farthest_point_sampling.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_path.h>
 
 #include <CGAL/Surface_mesh_shortest_path.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -526,6 +527,28 @@ void test_invalid_input()
   paths.avoid_faces(std::vector<face_descriptor>(all.begin(), all.end()));
   paths.add_source_point(vertex_descriptor(0));
   CHECK(reason_of([&] { paths.build_sequence_tree(); }) == Reason::INVALID_LOCATION);
+  // A vertex inside is rejected by all functions for vertices, at either end of a path.
+  namespace np = CGAL::parameters;
+  using namespace CGAL::Surface_mesh_geodesics;
+  const std::vector<vertex_descriptor> both{vertex_descriptor(20), vertex_descriptor(0)};
+  const auto ignore = [](auto&&...) {};
+  CHECK(reason_of([&] { symmetric_geodesic_distance_matrix(tm, both, ignore, np::faces_to_avoid(star)); })
+        == Reason::INVALID_LOCATION);
+  std::vector<vertex_descriptor> samples;
+  CHECK(reason_of([&]
+  {
+    geodesic_farthest_point_sampling(tm, 3, std::back_inserter(samples),
+                                     np::faces_to_avoid(star).first_samples(both));
+  }) == Reason::INVALID_LOCATION);
+  std::vector<Kernel::Point_3> points;
+  for(const auto& [a, b] : {std::make_pair(both[0], both[1]), std::make_pair(both[1], both[0])})
+  {
+    const vertex_descriptor from = a, to = b;
+    CHECK(reason_of([&] { geodesic_distance(tm, from, to, np::faces_to_avoid(star)); }) == Reason::INVALID_LOCATION);
+    CHECK(reason_of([&] { geodesic_path(tm, from, to, std::back_inserter(points), np::faces_to_avoid(star)); })
+          == Reason::INVALID_LOCATION);
+  }
+  CHECK(samples.empty() && points.empty());
 }
 
 } // namespace

@@ -210,6 +210,11 @@ void wrong_input_is_rejected()
   const face_descriptor f = *faces(tm).begin();
   const std::vector<Location> outside{Location(f, {1, 0, 0}), Location(f, {2, -1, 0})};
   CHECK(throws_at(R::INVALID_CURVE, 1, [&] { SMG::shortest_path_curve(tm, outside); }));
+  // Elements that the mesh does not have.
+  const std::vector<vertex_descriptor> beyond{one_of_each[0], vertex_descriptor(12345)};
+  CHECK(throws_at(R::INVALID_CURVE, 1, [&] { SMG::shortest_path_curve(tm, beyond); }));
+  const std::vector<Location> in_no_face{Location(face_descriptor(12345), {1, 0, 0})};
+  CHECK(throws_at(R::INVALID_CURVE, 0, [&] { SMG::shortest_path_curve(tm, in_no_face); }));
 }
 
 // Only pairs without a common face cost a propagation.

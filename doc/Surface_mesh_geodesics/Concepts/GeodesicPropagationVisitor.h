@@ -3,18 +3,20 @@
 \cgalConcept
 
 The concept `GeodesicPropagationVisitor` describes the requirements for a visitor: an object that follows a propagation
-and can cancel it. The free functions take it with the named parameter `visitor`. The following functions take it as an
-argument: `CGAL::Surface_mesh_geodesic_paths::build_sequence_tree()`,
-`CGAL::Surface_mesh_geodesic_Voronoi_diagram::build()` and
-`CGAL::Surface_mesh_geodesics::Geodesic_distance_solver::compute_distances()`.
+and can cancel it. The free functions and `CGAL::Surface_mesh_geodesics::Geodesic_distance_solver::compute_distances()`
+take it with the named parameter `visitor`. The following functions take it as an argument:
+`CGAL::Surface_mesh_geodesic_paths::build_sequence_tree()`,
+`CGAL::Surface_mesh_geodesic_paths::build_sequence_tree_for_faces()` and
+`CGAL::Surface_mesh_geodesic_Voronoi_diagram::build()`.
 
 <b>Order of calls.</b> First `on_propagation_begin()`; then, any number of times, `on_progress()` followed by
 `go_further()`; at last `on_propagation_end()`. A function that propagates several times, such as
-`CGAL::Surface_mesh_geodesics::geodesic_remeshing()`, repeats this sequence each time. Invalid input is found before
-the first call.
+`CGAL::Surface_mesh_geodesics::geodesic_remeshing()`, repeats this sequence each time, and may ask `go_further()` between
+two of them as well. Invalid input is found before the first call, except curves that rounding hides or that do not
+separate the surface, and vertices of `CGAL::Surface_mesh_geodesics::geodesic_peeling_order()`.
 
 <b>Threads.</b> The thread that has called the function of the package makes all calls, even if that function uses more
-threads.
+threads. Only stored matrices call from several threads, one call at a time.
 
 <b>Requirements.</b> The member functions should be fast, since they are called up to once for each visit of a vertex.
 They must not use the object that propagates. They may throw. An exception ends the propagation as a cancellation does,
@@ -29,7 +31,8 @@ class GeodesicPropagationVisitor
 public:
   /// is called once, before the propagation starts.
   ///
-  /// \param number_of_vertices the number of vertices of the mesh
+  /// \param number_of_vertices the number of vertices of the mesh; of a matrix that is stored the number of rows, and of
+  ///        other work that is no propagation the number of its steps
   void on_propagation_begin(std::size_t number_of_vertices);
 
   /// is called repeatedly: before each visit of a vertex if one thread propagates, less often if several do. Neither of

@@ -123,7 +123,7 @@ public:
   /// All of them read the whole mesh, in linear time.
   ///
   /// \throws Invalid_geodesic_input for the same meshes as `geodesic_distances()`, or
-  ///         `geodesic_distances_from_edge_lengths()`
+  ///         `geodesic_distances_from_edge_lengths()`; also for faults of components that sources will not reach
   /// @{
 
   /// reads a mesh with its default maps.
@@ -263,7 +263,8 @@ public:
   /// \return `true`, or `false` if the visitor canceled: no vertex has been reached then
   ///
   /// \throws Invalid_geodesic_input for a source, a target or a number that `geodesic_distances()` rejects. The
-  ///         results of the computation before are unchanged then.
+  ///         results of the computation before are unchanged then; but no vertex has been reached if segments of
+  ///         curves nearly coincide (`INVALID_CURVE`), as that is found last.
   template <typename Sources, typename CGAL_NP_TEMPLATE_PARAMETERS>
   bool compute_distances(const Sources& sources, const CGAL_NP_CLASS& np = parameters::default_values())
   {

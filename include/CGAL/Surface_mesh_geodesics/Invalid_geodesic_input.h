@@ -52,19 +52,22 @@ public:
   enum class Reason
   {
     NOT_A_TRIANGLE,      ///< a face does not have three edges
-    NON_FINITE_POINT,    ///< a coordinate of a vertex is infinite, not a number or too large
+    NON_FINITE_POINT,    ///< a coordinate of a vertex, a point or a ray is infinite, not a number or too large, or the
+                         ///< mesh is too small to locate points in space
     NON_FINITE_LENGTH,   ///< an edge length is infinite or not a number
     NEGATIVE_LENGTH,     ///< an edge length is negative
     TRIANGLE_INEQUALITY, ///< an edge is longer than the two others of a face, beyond rounding
-    INVALID_LOCATION,    ///< a source location has a null face, or lies outside its face
-    INVALID_DESCRIPTOR,  ///< a vertex or a face is null, or does not belong to the mesh
-    INVALID_OFFSET,      ///< an offset is negative or not finite, or there is not one per source
-    INVALID_RADIUS,      ///< a maximum distance is negative or not a number
+    INVALID_LOCATION,    ///< a location has a null face, or lies outside its face; or a vertex, a location or a curve
+                         ///< is inside of the faces to avoid
+    INVALID_DESCRIPTOR,  ///< a vertex, a face or an edge is null, or does not belong to the mesh
+    INVALID_OFFSET,      ///< an offset or a weight is negative or not finite, or there is not one per source or site
+    INVALID_RADIUS,      ///< a maximum distance or a covering radius is negative or not a number
     INVALID_INDEX_MAP,   ///< an index map has values out of range, or equal values
     NON_MANIFOLD,        ///< a face has a vertex twice, or two faces disagree about the ends of their edge
     TOO_LARGE,           ///< the mesh has more than 2<sup>30</sup> - 2 faces
     TOO_SMALL,           ///< one component is smaller than the mesh by a factor of more than 10<sup>60</sup>
-    INVALID_DIRECTION,   ///< the direction or the length of a traced geodesic is not finite, or the length is negative
+    INVALID_DIRECTION,   ///< the direction or the length of a traced geodesic is not finite, the length is negative,
+                         ///< or a vector or a face tells no direction
     INVALID_CURVE        ///< a curve has no location, or two in a row without a common face; segments nearly coincide,
                          ///< so that rounding hides where they run; or the curves do not separate the surface
   };
@@ -88,8 +91,8 @@ public:
   Reason reason() const { return m_reason; }
 
   /// returns the element at fault: the position of a vertex, a face or an edge in the range `vertices(tm)`,
-  /// `faces(tm)` or `edges(tm)`, or that of a source, an offset, a target, a sample or a site in its range, counted
-  /// from 0; `no_element` if no single element is at fault.
+  /// `faces(tm)` or `edges(tm)`, or that of a source, an offset, a target, a sample, a site, a curve, a location of a
+  /// curve, or a face or an edge to avoid in its range, counted from 0; `no_element` if no single element is at fault.
   std::size_t element() const { return m_element; }
 
 private:

@@ -23,9 +23,8 @@ namespace Surface_mesh_geodesics {
 
 The class `Propagation_statistics` counts the work of one propagation or of several.
 
-- `geodesic_distances()`, `geodesic_distances_from_edge_lengths()` and `Geodesic_distance_solver` <em>add</em> to the
-  object to which the named parameter `statistics` points, so that it may serve for several runs; see `add()`.
-- `geodesic_farthest_point_sampling()` <em>assigns</em> its counts to the object to which `statistics` points.
+- All functions that take the named parameter `statistics`, and `Geodesic_distance_solver`, <em>add</em> to the object
+  to which it points, so that it may serve for several runs; see `add()`.
 - `Surface_mesh_geodesic_paths::statistics()` and `Surface_mesh_geodesic_Voronoi_diagram::statistics()` return those of
   the last propagation alone.
 

@@ -234,8 +234,8 @@ private:
 public:
   /*!
   A vertex of the diagram: a point where at least three sites are equally near and no site is nearer. It is a small
-  handle, like `Arc` and `Edge`. It is valid until sites are changed, `clear()`, `use_edge_lengths()` or `use_points()`
-  is called, or the diagram is destroyed. All functions take constant time.
+  handle, like `Arc` and `Edge`. It is valid until sites are changed, `clear()`, `use_edge_lengths()`, `use_points()`,
+  `avoid_faces()` or `avoid_edges()` is called, or the diagram is destroyed. All functions take constant time.
   */
   class Vertex
   {
@@ -633,7 +633,7 @@ public:
   /// at their rim, also if their location is given in a face to avoid; a site inside is rejected by the next build.
   /// Sites and walls are kept, and the faces stay left out until the next call.
   ///
-  /// Queries inside of these faces are rejected.
+  /// A query at a location inside of these faces is rejected; a vertex inside is in no cell.
   ///
   /// \tparam Faces a range of face descriptors, or a model of `ReadablePropertyMap` with the face descriptor as
   ///         key type and `bool` as value type

@@ -96,7 +96,9 @@ next query or build begins anew. If the second stage ends early, the results of 
 what is missing under a mutex, and every other function needs the object for itself. This class keeps to the interface
 of `Surface_mesh_shortest_path` where that differs from the diagram: its functions that build are not `const`, and a new
 object, which has nothing to compute, does not read the mesh. `use_edge_lengths()` reads the lengths and throws at once,
-whereas a diagram reads them in its next build. Lengths that are rejected leave this object as it was; a diagram
+whereas a diagram reads them in its next build. `avoid_faces()` and `avoid_edges()` take the lengths from the points
+again here, and keep given lengths in a diagram; `clear()` forgets obstacles here, and keeps them there. Lengths that are
+rejected leave this object as it was; a diagram
 rejects each build until it gets other lengths, or the points by `use_points()`. `statistics()` builds nothing. The
 number that stands for "no source point" is the constant `no_source`; for "no site" it is the function `null_site()`.
 
@@ -140,7 +142,8 @@ number that stands for "no source point" is the constant `no_source`; for "no si
 - <em>More members:</em> `build_sequence_tree_for_faces()`, visitors of the progress that may cancel,
   `use_edge_lengths()`, `statistics()`, `nearest_source_point()`, `shortest_distances_to_source_points()`,
   `farthest_vertex()`, `shortest_path_polyline_to_source_points()`, `isolines()`, `signed_isolines()`,
-  `add_source_curve()`, `nearest_location_of_sources()`, and the static overload of `build_aabb_tree()` for a mesh and
+  `add_source_curve()`, `nearest_location_of_sources()`, `direction_at_source()`, `directions_at_source()`,
+  `avoid_faces()`, `avoid_edges()`, and the static overload of `build_aabb_tree()` for a mesh and
   a tree, which the original documents but does not have.
 - <em>Fewer members:</em> objects cannot be copied (copies of the original share memory that each of them frees). The
   undocumented members for debugging do not exist: `m_debugOutput`, and, with assertions, `peak_node_count()`,
@@ -435,7 +438,8 @@ public:
   /// leaves faces out: paths may run along the rim of these faces, not through them, as if the faces were not in the
   /// mesh. Distances are infinite (that is, -1 in queries) where no way leads around them. All else keeps its
   /// descriptors and indices. Source points stay. They and queries may be at the rim, also if their location is given
-  /// in a face to avoid; a point inside is rejected.
+  /// in a face to avoid; a source point inside is rejected, and so is a location inside. No path leads to a vertex
+  /// inside, which may be asked for.
   ///
   /// Call this function before `use_edge_lengths()`: it takes the lengths from the points again.
   ///
@@ -772,7 +776,7 @@ public:
   ///
   /// \param v a vertex of the mesh
   /// \return the angle, in \f$ [0, 2\pi) \f$; 0 at the source itself, and not a number (NaN) if no source point
-  ///         reaches `v`
+  ///         reaches `v`, or if there is a curve among the source points
   /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if `v`, the mesh or a source point is invalid
   /// \throws std::runtime_error if rounding hides the path
   double direction_at_source(vertex_descriptor v) const { return m_structure.direction_at_source(v); }
@@ -792,7 +796,8 @@ public:
   /// writes the direction at the source for each vertex of the mesh: the values of one call for each vertex, up to
   /// rounding (1e-12; more where the mesh has faces with nearly no height); of several shortest paths, another one may
   /// count. All paths behind a bend share the straight piece that begins at the source, and where the surface is flat,
-  /// these pieces share what they cross. So the time is usually less than that of the distances.
+  /// these pieces share what they cross. So the time is usually less than that of the distances. All values are not a
+  /// number (NaN) if there is a curve among the source points.
   ///
   /// \tparam VertexDirectionMap a model of `WritablePropertyMap` with `vertex_descriptor` as key type and a floating
   ///         point type as value type
@@ -846,8 +851,8 @@ public:
   /// \param value the signed distance, in the unit of the mesh
   /// \param output gets a polyline for each line
   /// \return the output iterator past the last polyline
-  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the mesh or a source point is invalid; if there is no
-  ///         curve among the source points, or the curves do not separate the surface (`INVALID_CURVE`); if a source
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the mesh or a source point is invalid; if there are
+  ///         source points, but no curve among them, or the curves do not separate the surface (`INVALID_CURVE`); if a source
   ///         point has an offset other than 0 (`INVALID_OFFSET`). Nothing is written then.
   template <typename OutputIterator>
   OutputIterator signed_isolines(const FT& value, OutputIterator output) const

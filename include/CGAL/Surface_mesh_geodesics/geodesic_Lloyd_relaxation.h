@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_Voronoi_diagram.h>
 #include <CGAL/Surface_mesh_geodesics/internal/applications/Lloyd_relaxation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_checks.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_values.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -115,13 +116,13 @@ The method serves remeshing (thesis, section 5.4.4), see `geodesic_remeshing()`.
     \cgalParamExtra{The visitor is not copied if it is passed with `std::ref()`.}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}
-    \cgalParamDescription{the largest number of iterations}
+    \cgalParamDescription{the largest number of iterations; not negative}
     \cgalParamType{unsigned int}
     \cgalParamDefault{`10`}
   \cgalParamNEnd
   \cgalParamNBegin{threshold_distance}
     \cgalParamDescription{the relaxation ends after an iteration that moves no site farther in space than this
-                          distance, in the unit of the mesh}
+                          distance, in the unit of the mesh; not negative}
     \cgalParamType{double}
     \cgalParamDefault{`0`: it ends when no site moves}
   \cgalParamNEnd
@@ -148,8 +149,8 @@ The method serves remeshing (thesis, section 5.4.4), see `geodesic_remeshing()`.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the number of iterations that moved a site. It is less than `number_of_iterations` if no site moves any more, or
-        none farther than `threshold_distance`, or if the visitor cancels.
+\return the number of iterations that moved a site. It is less than `number_of_iterations` if no site moves any more, if
+        an iteration before the last one moves none farther than `threshold_distance`, or if the visitor cancels.
 
 \throws Invalid_geodesic_input if the mesh, a site or a curve is invalid, as for `geodesic_distances()`: with the reason
         `INVALID_CURVE` if rounding hides where segments of curves run. Nothing has been written then. (If
@@ -160,14 +161,12 @@ template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typen
 std::size_t geodesic_Lloyd_relaxation(const TriangleMesh& tm, const VertexRange& sites,
                                       OutputIterator output, const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
   internal::check_parameters<internal::Relaxation_parameters>(tm, np);
   internal::Visitor_parameter<CGAL_NP_CLASS> visitor_parameter(np);
   auto& visitor = visitor_parameter.visitor();
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> moved(sites.begin(), sites.end());
   const std::size_t number_of_iterations
-    = static_cast<std::size_t>(choose_parameter(get_parameter(np, internal_np::number_of_iterations), 10u));
+    = internal::value_parameter<std::size_t>(np, internal_np::number_of_iterations, 10);
   const std::size_t n
     = internal::relax_sites<Surface_mesh_geodesic_Voronoi_diagram, ConcurrencyTag>(
       tm, moved, number_of_iterations, visitor, np, [](auto) { return false; });

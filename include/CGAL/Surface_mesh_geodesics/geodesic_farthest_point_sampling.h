@@ -89,8 +89,8 @@ call writes to an output of its own; see `geodesic_distances()`.
   \cgalParamNEnd
   \cgalParamNBegin{first_samples}
     \cgalParamDescription{vertices that are samples already. The function does not write them, but counts them among the
-                          samples. If there are none, the first vertex of the mesh that has a face becomes the first
-                          sample.}
+                          samples. If there are neither samples nor curves, the first vertex of the mesh that has
+                          a face becomes the first sample.}
     \cgalParamType{a range of vertex descriptors of `TriangleMesh`}
     \cgalParamDefault{an empty range}
   \cgalParamNEnd
@@ -109,7 +109,7 @@ call writes to an output of its own; see `geodesic_distances()`.
     \cgalParamDefault{`0`}
   \cgalParamNEnd
   \cgalParamNBegin{statistics}
-    \cgalParamDescription{if not null, the function <em>assigns</em> the counts of the propagation to the object.}
+    \cgalParamDescription{if not null, the function <em>adds</em> the counts of the propagation to the object.}
     \cgalParamType{a pointer to `Propagation_statistics`}
     \cgalParamDefault{`nullptr`}
   \cgalParamNEnd

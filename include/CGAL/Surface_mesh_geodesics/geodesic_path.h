@@ -26,6 +26,7 @@
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Surface_mesh_shortest_path/Surface_mesh_shortest_path_traits.h>
+#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
@@ -46,16 +47,40 @@ namespace internal {
 template <typename TriangleMesh, typename... Places>
 constexpr bool are_places()
 {
-  constexpr bool result = (Is_source<TriangleMesh, Places>::value && ...);
+  constexpr bool result
+    = ((Is_vertex<TriangleMesh, Places>::value || Is_face_location<TriangleMesh, Places>::value) && ...);
   static_assert(result, "a point of the surface is a vertex descriptor, or a pair of a face descriptor and three "
                         "barycentric coordinates");
   return result;
+}
+
+// Throws if the point at the other end of a path is a vertex all of whose faces are avoided. (Sources and locations are
+// rejected anyway; so both ends are treated alike.)
+template <typename TriangleMesh, typename Place, typename NamedParameters>
+void check_end(const TriangleMesh& tm, const Place& place, const NamedParameters& np)
+{
+  if constexpr(Has_parameter<NamedParameters, internal_np::faces_to_avoid_t>::value
+               && Is_vertex<TriangleMesh, Place>::value)
+  {
+    using Graph_traits = boost::graph_traits<TriangleMesh>;
+    const typename Graph_traits::vertex_descriptor v = place;
+    if(v == Graph_traits::null_vertex() || Removed_elements<TriangleMesh>::contain(v, tm)
+       || halfedge(v, tm) == Graph_traits::null_halfedge())
+      return; // rejected when the mesh is read, or isolated
+    auto fim = CGAL::get_initialized_face_index_map(tm, np);
+    const Obstacles avoided{avoided_faces(tm, fim, np), {}};
+    for(const auto f : faces_around_target(halfedge(v, tm), tm))
+      if(f != Graph_traits::null_face() && !avoided.avoids(static_cast<std::size_t>(get(fim, f))))
+        return;
+    reject_avoided("the point", Invalid_geodesic_input::no_element);
+  }
 }
 
 // The distance of a vertex: a run that ends there.
 template <typename TriangleMesh, typename Source, typename Vertex, typename NamedParameters>
 double distance_of_vertex(const TriangleMesh& tm, const Source& source, const Vertex& target, const NamedParameters& np)
 {
+  check_end(tm, target, np);
   auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
   auto fim = CGAL::get_initialized_face_index_map(tm, np);
   Distance_solver<Sequential_tag, double, TriangleMesh, decltype(vim), decltype(fim)> solver(
@@ -250,6 +275,7 @@ double geodesic_path(const TriangleMesh& tm, const Point1& a, const Point2& b, O
   else // the structure writes paths to their source
     return internal::query_paths(tm, b, np, [&](auto& paths)
     {
+      internal::check_end(tm, a, np);
       using Paths = std::decay_t<decltype(paths)>;
       using Points = internal::Points_of_elements<Paths>;
       const Points points(paths);

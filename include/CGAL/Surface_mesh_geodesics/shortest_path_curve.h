@@ -73,9 +73,11 @@ other point is reached. With faces to avoid, all pairs do so.
 
 \return the curve
 
-\throws Invalid_geodesic_input if the mesh is one that `geodesic_distances()` rejects; with the reason `INVALID_CURVE`
-        if there is no point, if a point is not on the mesh, or if no path leads from a point to the next one. The
-        element is the position of that point in the range.
+\throws Invalid_geodesic_input with the reason `INVALID_CURVE` if there is no point, if a point is not on the mesh (as
+        far as the mesh can tell: a `Surface_mesh` knows its elements), or if no path leads from a point to the next
+        one; the element is the position of that point in the range. Also if the mesh is one that
+        `geodesic_distances()` rejects. It is read unless all points that follow each other share a face, and no faces
+        are to be avoided.
 \throws std::runtime_error if rounding hides a path
 
 \sa `geodesic_path()`

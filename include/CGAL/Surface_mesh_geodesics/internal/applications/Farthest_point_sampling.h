@@ -145,8 +145,9 @@ private:
     }
     if(options.statistics != nullptr)
     {
-      *options.statistics = propagation.statistics();
-      options.statistics->intrinsic_mesh_bytes += m_surface.memory() + m_field.memory();
+      Propagation_statistics statistics = propagation.statistics();
+      statistics.intrinsic_mesh_bytes += m_surface.memory() + m_field.memory();
+      options.statistics->add(statistics);
     }
     return radius;
   }

@@ -199,8 +199,8 @@ template <template <typename...> class Diagram, typename ConcurrencyTag, typenam
 std::size_t relax_sites(const TriangleMesh& tm, std::vector<vertex_descriptor>& sites,
                         std::size_t number_of_iterations, Visitor& visitor, const NamedParameters& np, IsFixed is_fixed)
 {
-  const double threshold
-    = parameters::choose_parameter(parameters::get_parameter(np, internal_np::threshold_distance), 0.);
+  const double threshold = number_parameter(np, internal_np::threshold_distance, 0.);
+  CGAL_precondition_msg(threshold >= 0, "the threshold of a distance is negative, or no number");
   auto diagram = make_vertex_site_diagram<Diagram, ConcurrencyTag>(tm, np);
   if constexpr(Has_parameter<NamedParameters, internal_np::faces_to_avoid_t>::value)
     diagram.avoid_faces(parameters::get_parameter_reference(np, internal_np::faces_to_avoid));

@@ -380,9 +380,9 @@ Report remesh(const TriangleMesh& tm, std::size_t n, OutputMesh& output, Visitor
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  const std::size_t number_of_iterations = static_cast<std::size_t>(
-    choose_parameter(get_parameter(np, internal_np::number_of_iterations), 5u));
-  const double threshold = choose_parameter(get_parameter(np, internal_np::threshold_distance), 0.);
+  const std::size_t number_of_iterations
+    = value_parameter<std::size_t>(np, internal_np::number_of_iterations, 5);
+  const double threshold = number_parameter(np, internal_np::threshold_distance, 0.);
   const std::vector<char> is_avoided = check_mesh(tm, np);
   const Remeshing_input input(tm, choose_parameter(get_parameter(np, internal_np::vertex_point),
                                                    get_const_property_map(CGAL::vertex_point, tm)),

@@ -282,12 +282,13 @@ public:
   }
 
   // Returns the vertices of a range as sources without offsets. Throws if one of them is not a vertex of the mesh that
-  // was read; `what` names it in the message. Takes linear time.
+  // was read, or inside of the faces to avoid; `what` names it in the message. Takes linear time.
   template <typename Vertices>
   Source_set<FT> source_set_of_vertices(const Vertices& range, const char* what) const
   {
     Source_set<FT> set;
-    set.vertices = checked_ids(range, what);
+    for(const vertex_descriptor v : range)
+      set.vertices.push_back(checked_source(v, what, set.vertices.size()));
     add_sources_behind_walls(set);
     return set;
   }

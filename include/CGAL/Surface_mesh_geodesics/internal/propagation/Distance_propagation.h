@@ -129,7 +129,7 @@ public:
   }
 
   // The strips, and what they know of paths. They may be told to keep themselves before a run: that is no matter of the
-  // propagation, which only decides whose turn it is.
+  // propagation.
   const Strips& strips() const { return m_strips; }
   Strips& strips() { return m_strips; }
 
@@ -193,6 +193,8 @@ public:
       CGAL_expensive_assertion(is_pruned || m_wavefront.is_queued_around(m_star, m_queue));
     }
     CGAL_assertion(is_pruned || m_slots.number_of_windows == 0);
+    if constexpr(Strips::exist)
+      CGAL_assertion(m_strips.empty());
     m_end.set_complete();
     return true;
   }

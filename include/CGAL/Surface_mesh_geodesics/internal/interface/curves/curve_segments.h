@@ -66,6 +66,8 @@ public:
       m_vertex = location;
       if(m_vertex == Graph_traits::null_vertex())
         reject_curve(position, "is a null vertex");
+      if(Removed_elements<TriangleMesh>::contain(m_vertex, tm))
+        reject_curve(position, "is not a vertex of the mesh");
       const halfedge_descriptor h = halfedge(m_vertex, tm);
       if(h != Graph_traits::null_halfedge())
         for(const halfedge_descriptor g : halfedges_around_target(h, tm))
@@ -135,6 +137,8 @@ private:
     m_face = f;
     if(f == Graph_traits::null_face())
       reject_curve(position, "has a null face");
+    if(Removed_elements<TriangleMesh>::contain(f, tm))
+      reject_curve(position, "has a face that is not in the mesh");
     m_coordinates = coordinates_in_double(b[0], b[1], b[2]);
     if(!are_valid_coordinates(m_coordinates))
       reject_curve(position, "is not in its face");

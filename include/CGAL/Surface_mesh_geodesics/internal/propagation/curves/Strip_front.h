@@ -79,13 +79,15 @@ public:
   // Both must outlive this object.
   Strip_front(const Mesh& mesh, const Field& field, Lane_choice lanes = Lane_choice::BEST)
     : m_mesh(mesh), m_field(field), m_loops(lanes, strip_list_loops<FT>)
-  {}
+  {
+    restart();
+  }
 
   // Removes all strips. The mesh may have changed since. Linear in the number of halfedges on which strips have waited
   // at the same time, and in that of vertices and faces that are new.
   void restart()
   {
-    // (Lists know their halfedges: after an exception, some of these may not be in the queue.)
+    // (Lists know their halfedges, so only the slots of these are cleared.)
     m_free.clear();
     for(std::uint32_t i = 0; i < m_lists.size(); ++i)
     {
@@ -126,6 +128,9 @@ public:
     }
   }
 
+  // Does no strip wait? With points among the sources, or curves that reach little, most of a run goes on without any.
+  bool empty() const { return m_free.size() == m_lists.size(); }
+
   // Lets all strips that wait around the vertex of a star cross its faces, until they leave it. Improves the distances
   // of the field at once: the star takes them over afterward (Wavefront::take()). Returns whether a strip has improved
   // a vertex that had emitted windows. Takes time linear in the degree of the vertex and in the number of crossings.
@@ -133,6 +138,8 @@ public:
   template <typename Wave, typename Push>
   bool cross_star(const Vertex_star<FT>& star, Wave& wavefront, Push push)
   {
+    if(empty())
+      return false;
     prefetch_lists(star);
     bool are_windows_stale = false;
     for(const Star_face<FT>& f : star.faces)
@@ -147,7 +154,7 @@ public:
   // Fetches what tells where the lists around a vertex are; useful before a visit of the vertex.
   void prefetch_star(Vertex_id v) const
   {
-    if(m_mesh.has_star(v))
+    if(!empty() && m_mesh.has_star(v))
       for(const Halfedge_id* h = m_mesh.star_begin(v); h != m_mesh.star_end(v); ++h)
         prefetch(&slot(*h));
   }
@@ -165,8 +172,8 @@ public:
 
   std::size_t memory() const
   {
-    return m_pool.memory() + m_lists.capacity() * (sizeof(List) + sizeof(Halfedge_id)) + m_crossing.memory()
-         + m_children.memory();
+    return m_pool.memory() + m_lists.capacity() * (sizeof(List) + sizeof(Halfedge_id) + sizeof(std::uint32_t))
+         + m_crossing.memory() + m_children.memory();
   }
 
   // Bytes of the tables that have an entry for each vertex or halfedge of the mesh.

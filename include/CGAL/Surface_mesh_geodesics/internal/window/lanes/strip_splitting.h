@@ -89,7 +89,8 @@ typename Lanes<FT>::Number least_distance(const Strip_lanes<FT>& s)
                             L::select(L::less(s.direction_x, L::all(FT(0))), s.end, s.begin));
 }
 
-// The shortest path to the apex through each strip, as arrival_of_ray() finds it (Strip.h), with the same bits.
+// The shortest path to the apex through each strip, as arrival_of_ray() finds it (Strip.h), up to products that the
+// compiler fuses there.
 // `crossing` is where the ray through the apex crosses AB, `along_ray` the value of the linear function at the apex.
 template <typename FT>
 CGAL_SURFACE_MESH_GEODESICS_INLINE
@@ -102,8 +103,8 @@ typename Lanes<FT>::Number path_to_apex(const Strip_lanes<FT>& s, const Face_fra
   const Number zero = L::all(FT(0));
   const Number bend = L::minimum(s.end, L::maximum(s.begin, crossing));
   const Number up_to_edge = L::maximum(zero, s.distance + L::rounded_product(s.direction_x, bend));
-  const Number x = L::all(c.apex_x) - bend;
-  const Number beyond = L::square_root(L::rounded_product(x, x) + L::all(FT(c.apex_y * c.apex_y)));
+  const Number x = L::all(c.apex_x) - bend, y = L::all(c.apex_y);
+  const Number beyond = L::square_root(L::rounded_product(x, x) + L::rounded_product(y, y));
   return L::select(L::less_equal(s.begin, crossing) & L::less_equal(crossing, s.end), L::maximum(zero, along_ray),
                    up_to_edge + beyond);
 }
