@@ -1,6 +1,6 @@
 // Distances from curves on cones, which unfold: in the development, a straight curve has a copy for each turn around
-// the apex, and the distance of a point is that to the nearest copy that it sees past the apex. If the total angle of the
-// apex is more than a full turn, some points see none, and their paths lead through the apex.
+// the apex, and the distance of a point is that to the nearest copy that it sees past the apex. If the total angle of
+// the apex is more than a full turn, some points see none, and their paths lead through the apex.
 
 #include "curves_in_plane.h"
 #include "test_meshes.h"
@@ -106,8 +106,8 @@ struct Polar
 };
 
 // Requires: the ends of the segment differ by less than .3 pi in their angles, and have the same angle if the total
-// angle is more than a full turn. A copy that turns by pi or more from the point is hidden behind the apex; then another
-// copy is nearer, or the way through the apex.
+// angle is more than a full turn. A copy that turns by pi or more from the point is hidden behind the apex; then
+// another copy is nearer, or the way through the apex.
 double distance_on_cone(const Polar& p, const Polar& a, const Polar& b, double total_angle)
 {
   double d = p.radius + distance_to_segment({0, 0}, a.cartesian(), b.cartesian());

@@ -304,7 +304,7 @@ struct Surface_curve_point
 returns the cycles of border edges of a triangle mesh as closed curves, the surface on their right: their halfedges have
 no face on the left. Takes linear time, and that of a set of border halfedges.
 
-\tparam TriangleMesh a model of `FaceListGraph`
+\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 
 \param tm the triangle mesh
 \return the curves in the order of their first halfedges in `halfedges(tm)`; none if the surface has no border

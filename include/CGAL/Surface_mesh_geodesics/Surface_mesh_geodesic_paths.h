@@ -97,9 +97,9 @@ what is missing under a mutex, and every other function needs the object for its
 of `Surface_mesh_shortest_path` where that differs from the diagram: its functions that build are not `const`, and a new
 object, which has nothing to compute, does not read the mesh. `use_edge_lengths()` reads the lengths and throws at once,
 whereas a diagram reads them in its next build. `avoid_faces()` and `avoid_edges()` take the lengths from the points
-again here, and keep given lengths in a diagram; `clear()` forgets obstacles here, and keeps them there. Lengths that are
-rejected leave this object as it was; a diagram
-rejects each build until it gets other lengths, or the points by `use_points()`. `statistics()` builds nothing. The
+again here, and keep given lengths in a diagram; `clear()` forgets obstacles here, and keeps them there. Lengths that
+are rejected leave this object as it was; a diagram rejects each build until it gets other lengths, or the points by
+`use_points()`. `statistics()` builds nothing. The
 number that stands for "no source point" is the constant `no_source`; for "no site" it is the function `null_site()`.
 
 <b>Differences from `Surface_mesh_shortest_path`.</b> All of them are intended.
@@ -852,8 +852,8 @@ public:
   /// \param output gets a polyline for each line
   /// \return the output iterator past the last polyline
   /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the mesh or a source point is invalid; if there are
-  ///         source points, but no curve among them, or the curves do not separate the surface (`INVALID_CURVE`); if a source
-  ///         point has an offset other than 0 (`INVALID_OFFSET`). Nothing is written then.
+  ///         source points, but no curve among them, or the curves do not separate the surface (`INVALID_CURVE`); if a
+  ///         source point has an offset other than 0 (`INVALID_OFFSET`). Nothing is written then.
   template <typename OutputIterator>
   OutputIterator signed_isolines(const FT& value, OutputIterator output) const
   {
@@ -1004,7 +1004,11 @@ public:
   /// \name Nearest Face Location Queries
   /// Functions without a tree as parameter build one at each call, in \cgalBigO{n \log n} time for \f$ n \f$ faces; a
   /// query of a tree takes \cgalBigO{\log n} time in practice. A tree does not depend on source points, and is valid as
-  /// long as the mesh does not change.
+  /// long as the mesh does not change. It has all faces, also those to avoid: a location inside of these is rejected by
+  /// the query that gets it.
+  ///
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the number type of the kernel is a floating point type
+  ///         and the mesh, the point or the ray is too large or too small for it, see above (`NON_FINITE_POINT`)
   /// @{
 
   /// returns the location on the mesh that is nearest to a point.

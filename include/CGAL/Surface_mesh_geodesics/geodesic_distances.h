@@ -204,7 +204,7 @@ computes geodesic distances on a surface that is given by the lengths of its edg
 not be embedded in space. Complexity and thread safety are those of `geodesic_distances()`.
 
 \tparam ConcurrencyTag as for `geodesic_distances()`
-\tparam TriangleMesh a model of `FaceListGraph`
+\tparam TriangleMesh a model of `FaceListGraph` and `EdgeListGraph`
 \tparam VertexDistanceMap as for `geodesic_distances()`
 \tparam Sources as for `geodesic_distances()`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"

@@ -26,7 +26,6 @@
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Surface_mesh_shortest_path/Surface_mesh_shortest_path_traits.h>
-#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
@@ -52,28 +51,6 @@ constexpr bool are_places()
   static_assert(result, "a point of the surface is a vertex descriptor, or a pair of a face descriptor and three "
                         "barycentric coordinates");
   return result;
-}
-
-// Throws if the point at the other end of a path is a vertex all of whose faces are avoided. (Sources and locations are
-// rejected anyway; so both ends are treated alike.)
-template <typename TriangleMesh, typename Place, typename NamedParameters>
-void check_end(const TriangleMesh& tm, const Place& place, const NamedParameters& np)
-{
-  if constexpr(Has_parameter<NamedParameters, internal_np::faces_to_avoid_t>::value
-               && Is_vertex<TriangleMesh, Place>::value)
-  {
-    using Graph_traits = boost::graph_traits<TriangleMesh>;
-    const typename Graph_traits::vertex_descriptor v = place;
-    if(v == Graph_traits::null_vertex() || Removed_elements<TriangleMesh>::contain(v, tm)
-       || halfedge(v, tm) == Graph_traits::null_halfedge())
-      return; // rejected when the mesh is read, or isolated
-    auto fim = CGAL::get_initialized_face_index_map(tm, np);
-    const Obstacles avoided{avoided_faces(tm, fim, np), {}};
-    for(const auto f : faces_around_target(halfedge(v, tm), tm))
-      if(f != Graph_traits::null_face() && !avoided.avoids(static_cast<std::size_t>(get(fim, f))))
-        return;
-    reject_avoided("the point", Invalid_geodesic_input::no_element);
-  }
 }
 
 // The distance of a vertex: a run that ends there.

@@ -281,14 +281,14 @@ public:
     return set;
   }
 
-  // Returns the vertices of a range as sources without offsets. Throws if one of them is not a vertex of the mesh that
-  // was read, or inside of the faces to avoid; `what` names it in the message. Takes linear time.
+  // Returns the vertices of a range as sources without offsets. Throws if one of them is not a vertex of the mesh, or
+  // inside of the faces to avoid; `what` names it in the message. Takes linear time.
   template <typename Vertices>
   Source_set<FT> source_set_of_vertices(const Vertices& range, const char* what) const
   {
     Source_set<FT> set;
     for(const vertex_descriptor v : range)
-      set.vertices.push_back(checked_source(v, what, set.vertices.size()));
+      add_source(v, set, what);
     add_sources_behind_walls(set);
     return set;
   }
@@ -301,9 +301,7 @@ public:
     static_assert(!Is_curve<Source>::value, "this function takes points as sources, no curves");
     const std::size_t position = set.size();
     if constexpr(Is_vertex<TriangleMesh, Source>::value)
-    {
       set.vertices.push_back(checked_source(source, what, position));
-    }
     else
     {
       const auto at = location_beside_avoided_faces(source.first, source.second, what, position);

@@ -28,6 +28,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
 
@@ -90,6 +91,29 @@ std::vector<char> avoided_faces(const TriangleMesh& tm, const FaceIndexMap& fim,
   }
   else
     return {};
+}
+
+// Throws if the point at the other end of a path is a vertex all of whose faces are avoided. (Sources and locations are
+// rejected anyway, when the mesh has been read; so both ends are treated alike. Where many distances are asked for,
+// vertices inside are simply not reached.) Linear in the number of faces, if there are faces to avoid.
+template <typename TriangleMesh, typename Place, typename NamedParameters>
+void check_end(const TriangleMesh& tm, const Place& place, const NamedParameters& np)
+{
+  if constexpr(Has_parameter<NamedParameters, internal_np::faces_to_avoid_t>::value
+               && Is_vertex<TriangleMesh, Place>::value)
+  {
+    using Graph_traits = boost::graph_traits<TriangleMesh>;
+    const typename Graph_traits::vertex_descriptor v = place;
+    if(v == Graph_traits::null_vertex() || Removed_elements<TriangleMesh>::contain(v, tm)
+       || halfedge(v, tm) == Graph_traits::null_halfedge())
+      return; // rejected when the mesh is read, or isolated
+    auto fim = CGAL::get_initialized_face_index_map(tm, np);
+    const Obstacles avoided{avoided_faces(tm, fim, np), {}};
+    for(const auto f : faces_around_target(halfedge(v, tm), tm))
+      if(f != Graph_traits::null_face() && !avoided.avoids(static_cast<std::size_t>(get(fim, f))))
+        return;
+    reject_avoided("the point", Invalid_geodesic_input::no_element);
+  }
 }
 
 // Returns the walls among the named parameters, the edges to avoid, told to the faces on both sides; none if the
