@@ -55,6 +55,8 @@ PATH_DIRECTIONS = INTERNAL + "interface/directions/path_directions.h"
 STRAIGHT = INTERNAL + "paths/Straight_piece.h"
 ISOLINES = INTERNAL + "paths/isoline_crossings.h"
 ISOLINE_SWEEP = INTERNAL + "paths/Isoline_sweep.h"
+FACE_DISTANCES = INTERNAL + "paths/Face_distances.h"
+STRIP_FIELD = INTERNAL + "window/strips/Edge_strip_field.h"
 FACE_WINDOWS = INTERNAL + "window/Face_windows.h"
 REMOVAL = INTERNAL + "Voronoi/Redundant_window_removal.h"
 OWNERS = INTERNAL + "Voronoi/edges/Vertex_owners.h"
@@ -157,6 +159,7 @@ HOSTILE_PATHS = "test_paths_on_hostile_meshes"
 ISOLINE_TEST = "test_isolines"
 ISOLINES_TEST = "test_geodesic_isolines"
 SIGNED_ISOLINES = "test_signed_isolines"
+CURVE_ISOLINES = "test_isolines_from_curves"
 BY_HAND = "test_Voronoi_by_hand"
 TRACE = "test_trace_geodesic"
 LOGARITHM = "test_logarithmic_map"
@@ -589,6 +592,20 @@ MUTANTS = [
     ("windows_of_isolines_released_too_early", ISOLINE_SWEEP,
      "    if(!has_lines)\n      release(f);\n", "    release(f);\n    m_faces[f].state = PASSED;\n    if(!has_lines)\n      return;\n",
      "a face with many crossings has no windows when they are connected", (ISOLINES_TEST,)),
+    ("strips_of_isolines_taken_for_windows", FACE_DISTANCES,
+     "m_candidates.push_back(Candidate{interval, s.distance, k, STRIP});",
+     "m_candidates.push_back(Candidate{interval, s.distance, k, WINDOW});",
+     "the direction of rays is taken for the image of a source", (CURVE_ISOLINES,)),
+    ("strips_of_isolines_start_no_face", ISOLINE_SWEEP,
+     "    m_strips.keep(h, s);\n    activate(f, nearest);\n",
+     "    if(m_faces[f].state == ACTIVE)\n      m_strips.keep(h, s);\n",
+     "strips that enter a face before any window are lost", (CURVE_ISOLINES,)),
+    ("strips_not_released", STRIP_FIELD,
+     "      m_first_free = i;\n", "",
+     "the places of strips that have been released are not used again", (KEPT_WINDOWS,)),
+    ("released_strips_stay_in_their_chain", STRIP_FIELD,
+     "std::uint32_t i = std::exchange(m_last[dense_index(h)], null_id);", "std::uint32_t i = m_last[dense_index(h)];",
+     "an edge has the strips of another one", (KEPT_WINDOWS,)),
 
     # --- Voronoi diagrams ---
     ("chunk_of_windows_lost", FACE_WINDOWS,

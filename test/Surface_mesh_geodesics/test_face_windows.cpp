@@ -1,11 +1,14 @@
-// Windows kept for faces stay in the order in which they were added until they are released. Their memory is reused.
+// Windows and strips kept for faces stay until they are released, windows in the order in which they were added. Their
+// memory is reused.
 
 #include "test_support.h"
 
 #include <CGAL/Surface_mesh_geodesics/internal/window/Face_windows.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/strips/Edge_strip_field.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace {
@@ -87,6 +90,47 @@ void a_new_or_reset_container_is_empty()
   CHECK_EQUAL(windows.maximum_size(), std::size_t(0));
 }
 
+// The same for strips: each edge has its own, the latest first, and places of released ones are taken again.
+void each_edge_keeps_its_strips(test_support::Random& random)
+{
+  using Strips = std::vector<std::uint32_t>; // known by their sides
+  const std::size_t number_of_faces = 5;
+  internal::Edge_strip_field<double> field;
+  field.release(internal::halfedge_of(0, 0)); // does nothing before reset()
+  field.reset(number_of_faces);
+  std::vector<Strips> expected(3 * number_of_faces);
+  std::uint32_t next = 1;
+  std::size_t size = 0, largest = 0;
+  for(int round = 0; round < 20000; ++round)
+  {
+    const std::size_t k = random.index(expected.size());
+    const Halfedge_id h = internal::halfedge_of(static_cast<internal::Face_id>(k / 3), static_cast<unsigned>(k % 3));
+    if(expected[k].size() > 20 || random.index(8) == 0)
+    {
+      field.release(h);
+      size -= expected[k].size();
+      expected[k].clear();
+    }
+    else
+    {
+      const double x = next;
+      field.keep(h, internal::Strip<double>{x, x + .5, .6, .8, 2 * x, -x, next, 3});
+      expected[k].insert(expected[k].begin(), next++);
+      largest = (std::max)(largest, ++size);
+    }
+    Strips found;
+    field.for_each_strip(h, [&](const internal::Strip<double>& s)
+    {
+      CHECK(s.begin == s.side && s.distance == 2. * s.side && s.foot == -double(s.side) && s.faces_crossed == 3);
+      found.push_back(s.side);
+    });
+    CHECK(found == expected[k]);
+    CHECK_EQUAL(field.size(), largest);
+  }
+  field.clear();
+  CHECK_EQUAL(field.size(), std::size_t(0));
+}
+
 } // namespace
 
 int main()
@@ -94,5 +138,6 @@ int main()
   test_support::Random random(test_support::announce_seed(7));
   each_edge_keeps_its_windows(random);
   a_new_or_reset_container_is_empty();
+  each_edge_keeps_its_strips(random);
   return test_result();
 }

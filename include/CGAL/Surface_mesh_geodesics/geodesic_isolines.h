@@ -39,13 +39,16 @@ passes, which takes little more memory than `geodesic_distances()` (see \ref Sur
 distances of the vertices are computed on the way, and are written if `vertex_distance_map` is among the named
 parameters; without it, the propagation ends behind the largest level.
 
-With `Parallel_tag`, several threads propagate. The lines do not depend on their number; their points may differ from
-those of `Sequential_tag` by rounding.
+The sources may be curves. Then the lines are the curves parallel to them, on both sides; those at the distance 0 are
+the curves themselves, and are not written. (`Surface_mesh_geodesic_paths::signed_isolines()` chooses one side.)
+
+With `Parallel_tag`, several threads propagate from points. The lines do not depend on their number; their points may
+differ from those of `Sequential_tag` by rounding. From curves, a single thread propagates.
 
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`, as for `geodesic_distances()`
 \tparam TriangleMesh a model of `FaceListGraph`
-\tparam Sources a source or a range of sources, as for `geodesic_distances()`: vertex descriptors, or locations in
-        faces. (For lines from curves, use `Surface_mesh_geodesic_paths`.)
+\tparam Sources a source or a range of sources, as for `geodesic_distances()`: vertex descriptors, locations in faces,
+        or curves of the type `Surface_curve`. A point among curves is a curve of one location.
 \tparam Levels a range of numbers that convert to `double`
 \tparam OutputIterator a model of `OutputIterator` that takes `std::pair<std::size_t, std::vector<Point_3>>`, where
         `Point_3` is the value type of the point map
@@ -145,6 +148,7 @@ How to write sequences of parameters, and which one comes first: \ref Surface_me
 
 <b>Complexity.</b> That of `geodesic_distances()`, plus for each point of a line a number of operations that is linear
 in the number of windows in its face. The memory of the windows along the wavefront comes to that of the distances.
+From curves, the parallel rays that cross a face count like windows.
 
 <b>Thread safety.</b> As for `geodesic_distances()`.
 

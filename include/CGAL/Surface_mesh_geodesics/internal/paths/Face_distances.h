@@ -11,11 +11,11 @@
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PATHS_FACE_DISTANCES_H
 
 // The distances of many points of one face: those that arrival_at_location() finds, bit by bit, without the arrivals.
-// The frames of the face and its windows are read once, and lie one after the other then.
+// The frames of the face, its windows and its strips are read once, and lie one after the other then.
 //
-// Along an edge, points are asked for in narrower and narrower parts. Each candidate, a corner or a window, is the
-// length of a path, so that it changes by no more than the length walked. One that is farther than the nearest one by
-// more than twice the width of a part is nowhere the nearest there, and is not looked at.
+// Along an edge, points are asked for in narrower and narrower parts. Each candidate, a corner, a window or a strip, is
+// the length of a path, so that it changes by no more than the length walked. One that is farther than the nearest one
+// by more than twice the width of a part is nowhere the nearest there, and is not looked at.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
@@ -26,6 +26,8 @@
 #include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Face_windows.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Kept_window.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/strips/Edge_strip_field.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/strips/Strip.h>
 
 #include <algorithm>
 #include <array>
@@ -37,25 +39,32 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 
 // Use: start() for a face, then at() for points of it; or start_edge() for one of its edges, then at() with fractions
-// of that edge, as Isoline_crossings wants it. What the distances are made of is copied, so that the windows may be
-// released meanwhile.
+// of that edge, as Isoline_crossings wants it. What the distances are made of is copied, so that windows and strips may
+// be released meanwhile.
+//
+// `Strips` is Edge_strip_field<FT> if curves are among the sources, else No_strip_field.
 //
 // Invariant: the first m_active of m_candidates may be nearest in the part that is looked at.
-template <typename FT>
+template <typename FT, typename Strips = No_strip_field>
 class Face_distances
 {
 public:
-  // Reads a face. Takes time linear in the number of its windows.
+  // Reads a face. Takes time linear in the number of its windows and strips.
   void start(const Intrinsic_mesh<FT>& mesh, const Vertex_distance_field<FT>& field, const Face_windows<FT>& windows,
-             Face_id f)
+             const Strips& strips, Face_id f)
   {
     m_candidates.clear();
     for(unsigned int k = 0; k < 3; ++k)
     {
       m_frame[k] = mesh.face_frame(halfedge_of(f, k));
-      m_candidates.push_back(Candidate{Kept_window<FT>(), field.distance[m_frame[k].origin], k, true});
+      m_candidates.push_back(Candidate{Kept_window<FT>(), field.distance[m_frame[k].origin], k, CORNER});
       windows.for_each(halfedge_of(f, k), [&](const Kept_window<FT>& w)
-      { m_candidates.push_back(Candidate{w, field.distance[w.root], k, false}); });
+      { m_candidates.push_back(Candidate{w, field.distance[w.root], k, WINDOW}); });
+      strips.for_each_strip(halfedge_of(f, k), [&](const Strip<FT>& s)
+      {
+        const Kept_window<FT> interval{s.begin, s.end, s.direction_x, s.direction_y, null_id};
+        m_candidates.push_back(Candidate{interval, s.distance, k, STRIP});
+      });
     }
     m_active = m_candidates.size();
   }
@@ -106,13 +115,16 @@ public:
   }
 
 private:
-  // A window that has entered across a side, or the corner at the origin of the side.
+  enum Kind : unsigned char { CORNER, WINDOW, STRIP };
+
+  // A window or a strip that has entered across a side, or the corner at the origin of the side. A strip has its
+  // direction in place of the image.
   struct Candidate
   {
     Kept_window<FT> window;
-    FT root_distance; // or that of the corner
+    FT root_distance; // or that of the corner, or of the ray of a strip through the origin of the side
     unsigned int side;
-    bool is_corner;
+    Kind kind;
     FT distance = 0; // at the last point
   };
 
@@ -125,9 +137,14 @@ private:
   // Returns the length of the path through a candidate to a point in the frame of its side.
   static FT distance_by(const Candidate& c, const std::array<FT, 2>& p)
   {
+    const Kept_window<FT>& w = c.window;
+    if constexpr(Strips::exist)
+      if(c.kind == STRIP)
+        return arrival_of_ray(Strip<FT>{w.begin, w.end, w.image_x, w.image_depth, c.root_distance, FT(0), 0, 0}, p[0],
+                              p[1]).distance;
     FT abscissa;
-    return c.is_corner ? FT(c.root_distance + norm(p[0], p[1]))
-                       : distance_through_window(c.window, c.root_distance, p[0], p[1], abscissa);
+    return c.kind == CORNER ? FT(c.root_distance + norm(p[0], p[1]))
+                            : distance_through_window(w, c.root_distance, p[0], p[1], abscissa);
   }
 
   std::array<Face_frame<FT>, 3> m_frame; // of the sides

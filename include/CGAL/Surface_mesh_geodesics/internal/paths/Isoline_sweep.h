@@ -19,6 +19,10 @@
 // the distances that are found without it are on the same side of the level as the right ones, so that the lines are
 // the same.
 //
+// *Strips.* From curves, distances come through strips as well. They are kept and released like windows; their smallest
+// distance is at an end, so what is said of lists of windows holds for each of them alone. `Strips` is the field that
+// keeps them, Edge_strip_field, or No_strip_field for sources that are points.
+//
 // *Passed faces.* When the wavefront has passed a face, no later window can change anything in it (Passed_faces.h).
 // Then the points on those of its edges are found whose first halfedge it has. When the points on all of its edges are
 // known, they are connected in it. Faces without windows that matter do not wait for the wavefront. They are few of
@@ -39,9 +43,11 @@
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Face_windows.h>
-#include <CGAL/Surface_mesh_geodesics/internal/window/passing/Passed_faces.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Window_lists.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/passing/Passed_faces.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/passing/entering_windows.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/strips/Edge_strip_field.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/strips/Strip.h>
 
 #include <CGAL/assertions.h>
 
@@ -63,7 +69,7 @@ namespace internal {
 // - The state of a face only grows (State). Windows are kept for ACTIVE and PASSED faces only.
 // - open_edges of a PASSED face counts the sides that may have points which have not been looked for, because the face
 //   of the first halfedge of the edge has not been passed. It is connected when it has no open edges.
-template <typename FT_>
+template <typename FT_, typename Strips = No_strip_field>
 class Isoline_sweep
 {
 public:
@@ -86,6 +92,7 @@ public:
     m_resolution = resolution;
     m_faces.reset(mesh, field, Face_record());
     m_windows.reset(mesh.number_of_faces());
+    m_strips.reset(mesh.number_of_faces());
     m_corner_distance.assign(mesh.number_of_vertices(), Field::infinity());
     m_graph.reset(mesh);
     m_lists_since_advance = 0;
@@ -118,11 +125,18 @@ public:
     if(!may_matter(f, nearest))
       return;
     m_windows.add(h, n, window);
-    ++m_lists_since_advance;
-    if(record.state == ACTIVE)
+    activate(f, nearest);
+  }
+
+  // The same for a strip that is carried across h. Requires: Strips::exist.
+  void keep(Halfedge_id h, const Strip<FT>& s)
+  {
+    const Face_id f = face_of(h);
+    const FT nearest = s.minimum_distance();
+    if(m_faces[f].state >= PASSED || !may_matter(f, nearest))
       return;
-    record.state = ACTIVE;
-    m_faces.wait(f, nearest);
+    m_strips.keep(h, s);
+    activate(f, nearest);
   }
 
   // Nothing here depends on distances that are not final: a face is passed when those around it are.
@@ -157,6 +171,7 @@ public:
         m_due_faces.push_back(f);
     pass_due_faces();
     m_windows.clear();
+    m_strips.clear();
     m_faces.clear();
     m_corner_distance = std::vector<FT>();
     m_graph.sort();
@@ -169,10 +184,11 @@ public:
     m_graph.for_each_line(static_cast<std::uint32_t>(level), line);
   }
 
-  // The memory of windows, of points, and of the tables by face and by vertex, in bytes.
+  // The memory of windows and strips, of points, and of the tables by face and by vertex, in bytes.
   std::size_t memory() const
   {
-    return m_windows.memory() + m_faces.memory() + m_graph.memory() + m_corner_distance.capacity() * sizeof(FT);
+    return m_windows.memory() + m_strips.memory() + m_faces.memory() + m_graph.memory()
+         + m_corner_distance.capacity() * sizeof(FT);
   }
 
   // The number of windows that are kept now, and its maximum since reset().
@@ -190,6 +206,16 @@ private:
   };
 
   static constexpr std::size_t lists_per_batch = 32;
+
+  // Lets a face wait for the wavefront when the first list enters it, whose nearest point is at this distance.
+  void activate(Face_id f, const FT& nearest)
+  {
+    ++m_lists_since_advance;
+    if(m_faces[f].state == ACTIVE)
+      return;
+    m_faces[f].state = ACTIVE;
+    m_faces.wait(f, nearest);
+  }
 
   // May a list matter whose windows have at least this distance at their ends? Between the ends it is smaller by at
   // most half of the edge. No corner of the face is farther than `nearest` plus the longest side, by the path through
@@ -301,7 +327,7 @@ private:
       start(face_of(h));
       m_distances.start_edge(h);
       const auto add = [&](const FT& t) { m_graph.add(level, t); };
-      Isoline_crossings<FT, Face_distances<FT>>(m_mesh->length(h), value, m_resolution, m_distances)
+      Isoline_crossings<FT, Face_distances<FT, Strips>>(m_mesh->length(h), value, m_resolution, m_distances)
         .find(FT(0), corner_distance(m_mesh->source(h)), FT(1), corner_distance(m_mesh->target(h)), add);
     });
     return m_graph.end_edge();
@@ -335,16 +361,19 @@ private:
   void start(Face_id f)
   {
     if(!m_has_started)
-      m_distances.start(*m_mesh, *m_field, m_windows, f);
+      m_distances.start(*m_mesh, *m_field, m_windows, m_strips, f);
     m_has_started = true;
   }
 
-  // No windows of the face are needed any more, and keep() rejects those that come.
+  // No windows and strips of the face are needed any more, and keep() rejects those that come.
   void release(Face_id f)
   {
     m_faces[f].state = DONE;
     for(unsigned int k = 0; k < 3; ++k)
+    {
       m_windows.release(halfedge_of(f, k));
+      m_strips.release(halfedge_of(f, k));
+    }
   }
 
   const Mesh* m_mesh = nullptr;
@@ -353,11 +382,12 @@ private:
   FT m_resolution = 0;
   Passed_faces<FT, Face_record> m_faces;
   Face_windows<FT> m_windows; // by the halfedge across which they have entered
+  Strips m_strips;            // the same
   std::vector<FT> m_corner_distance; // by vertex; infinity as long as no face around it has been passed
   Isoline_graph<FT> m_graph;
   std::size_t m_lists_since_advance = 0;
   std::vector<Face_id> m_due_faces, m_closed_faces; // of this batch: those to be passed, and to be connected
-  Face_distances<FT> m_distances; // of the face that is passed or connected, once it is needed
+  Face_distances<FT, Strips> m_distances; // of the face that is passed or connected, once it is needed
   bool m_has_started = false;
 };
 

@@ -53,7 +53,7 @@ public:
   }
 
   // Calls line(points, is_closed) for each line of points at the distance `value_of_line`, as
-  // Isoline_graph::for_each_line() does. There is no line for a value that is negative, infinite or not a number.
+  // Isoline_graph::for_each_line() does. There is no line for a value that is zero, negative, infinite or not a number.
   // Complexity: linear in the number of faces, plus for each crossing a number of distance queries that is logarithmic
   // in the resolution.
   //
@@ -62,7 +62,7 @@ public:
   void trace(const FT& value_of_line, Line line)
   {
     m_graph.reset(m_mesh);
-    if(!(value_of_line < Field::infinity()))
+    if(!(value_of_line > 0 && value_of_line < Field::infinity()))
       return;
     const FT value = dividing_value(value_of_line);
     for(Face_id f = 0; f < m_mesh.number_of_faces(); ++f)

@@ -15,28 +15,27 @@
 // distance afterwards.)
 //
 // As for distances, only the components are read that sources can reach. As for paths, sources in faces stay vertices
-// of the refined mesh after the run: points of lines lie on edges of that mesh, and Face_parts leads back to the faces
-// of the user. All lines are in memory, as numbers of halfedges, before the first one is written.
+// of the refined mesh after the run, and curves stay edges: points of lines lie on edges of that mesh, and Face_parts
+// leads back to the faces of the user. All lines are in memory, as numbers of halfedges, before the first one is
+// written.
 //
-// Memory. The sweep has a few bytes for each face and each vertex, windows along the wavefront, and the points of the
-// lines. The mesh and the distances, which every run needs, take far more.
+// Memory. The sweep has a few bytes for each face and each vertex, windows and strips along the wavefront, and the
+// points of the lines. The mesh and the distances, which every run needs, take far more.
 
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Intrinsic_surface.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Surface_locations.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/distance_functions.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/isolines/Isoline_sources.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_values.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/path_visitors.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
-#include <CGAL/Surface_mesh_geodesics/internal/paths/Isoline_sweep.h>
+#include <CGAL/Surface_mesh_geodesics/internal/paths/Isoline_graph.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Available_tag.h>
-#include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Propagation_for_tag.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Source_set.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
-#include <CGAL/Surface_mesh_geodesics/internal/window/passing/Deferred_window_keeper.h>
-#include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Named_function_parameters.h>
@@ -51,6 +50,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -59,11 +59,12 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 
 // Propagates once from one set of sources, and answers then: the lines, and the distances of vertices up to the maximum
-// distance. The sources stay in the refined mesh, since the lines run in it.
+// distance. The sources stay in the refined mesh, since the lines run in it. `Inserted` knows them there: it is
+// Isoline_points or Isoline_curves.
 //
 // Use: the constructor, run() once, then the other functions. If the constructor or run() throws, nothing has been
 // written anywhere. The mesh of the user is referred to, and must outlive the object; the index maps are copied.
-template <typename ConcurrencyTag, typename TriangleMesh, typename VertexIndexMap, typename FaceIndexMap>
+template <typename Inserted, typename TriangleMesh, typename VertexIndexMap, typename FaceIndexMap>
 class Isoline_run
 {
 public:
@@ -77,13 +78,11 @@ public:
   template <typename Shape, typename Sources, typename Options>
   Isoline_run(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim, Shape shape, const Sources& sources,
               const Options& options, Obstacles obstacles)
-    : m_surface(tm, vim, fim, std::move(shape), sources, typename Blocks_for_tag<Tag>::type(), std::move(obstacles)),
-      m_insertion(m_surface.mesh()), m_sources(m_surface.source_set(sources, options.source_offsets)),
+    : m_surface(tm, vim, fim, std::move(shape), sources, typename Blocks_for_tag<typename Inserted::Tag>::type(),
+                std::move(obstacles)),
+      m_insertion(m_surface.mesh()), m_sources(m_surface, sources, options.source_offsets, m_insertion),
       m_maximum_distance(options.maximum_distance / m_surface.unit())
-  {
-    insert_located_sources(m_sources.located, m_insertion, m_sources.vertices);
-    m_numbers.assign(m_sources);
-  }
+  {}
 
   Isoline_run(const Isoline_run&) = delete;
   Isoline_run& operator=(const Isoline_run&) = delete;
@@ -147,15 +146,11 @@ public:
   // Takes time linear in the number of vertices where the path bends.
   std::size_t nearest_source(vertex_descriptor v) const
   {
-    return distance(v) < Field::infinity() ? m_numbers.number_at(m_field.source_of(nearest_copy(v)))
-                                           : Source_numbers::none;
+    return distance(v) < Field::infinity() ? m_sources.number(m_field, nearest_copy(v)) : Source_numbers::none;
   }
 
 private:
   using Field = Vertex_distance_field<double>;
-  using Tag = typename Available_tag<ConcurrencyTag>::type;
-  using Keeper = Deferred_window_keeper<Isoline_sweep<double>>;
-  using Propagation = typename Propagation_for_tag<Tag, double, All_pruning_rules, Keeper>::type;
 
   // The vertex of the refined mesh at v; where walls divide v, the one that is nearest to the sources. Beyond the limit
   // of the run, distances may not be final; distance() does not tell these.
@@ -168,11 +163,10 @@ private:
   // in the memory of its windows.
   bool propagate(double limit, const Go_on_reference& go_on, Propagation_statistics* statistics)
   {
-    Propagation propagation(m_surface.mesh(), m_field, Keeper(m_sweep));
-    for(std::size_t i = 0; i < m_sources.size(); ++i)
-      propagation.add_source(m_sources.vertices[i], m_sources.offset(i));
-    propagation.set_maximum_distance(limit);
+    typename Inserted::Propagation propagation(m_surface.mesh(), m_field, typename Inserted::Keeper(m_sweep));
+    m_sources.start(propagation, limit, m_sweep);
     const bool is_complete = propagation.run(go_on);
+    m_sources.finish(propagation);
     if(statistics != nullptr)
     {
       Propagation_statistics s = propagation.statistics();
@@ -203,15 +197,14 @@ private:
   }
 
   // In this order, as each member refers to those above it: the insertion changes the mesh of the surface, the sources
-  // are vertices of that mesh, and the sweep reads the mesh and the field.
+  // are vertices and edges of that mesh, and the sweep reads the mesh and the field.
   Intrinsic_surface<double, TriangleMesh, VertexIndexMap, FaceIndexMap> m_surface;
   Source_insertion<double> m_insertion;
-  Source_set<double> m_sources; // all of them are vertices
-  Source_numbers m_numbers;     // of the sources, by vertex
+  Inserted m_sources;
   double m_maximum_distance;    // in the unit of the mesh
   Field m_field;                // without images, as no paths are traced
   std::vector<double> m_levels; // those that may have lines, ascending, in the unit of the mesh
-  Isoline_sweep<double> m_sweep;
+  typename Inserted::Sweep m_sweep;
 };
 
 // The points of locations, for Isoline_writer. They are constructed as the class for paths does it: the same bits for
@@ -253,7 +246,8 @@ bool compute_isolines(const TriangleMesh& tm, const Sources& sources, const std:
   auto vpm = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                           get_const_property_map(CGAL::vertex_point, tm));
   Visitor_parameter<NamedParameters> visitor_parameter(np);
-  Isoline_run<ConcurrencyTag, TriangleMesh, decltype(vim), decltype(fim)> run(
+  using Inserted = std::conditional_t<Are_curves<Sources>::value, Isoline_curves, Isoline_points<ConcurrencyTag>>;
+  Isoline_run<Inserted, TriangleMesh, decltype(vim), decltype(fim)> run(
     tm, vim, fim, shape_from_points<double>(tm, np), sources, options, obstacles(tm, fim, np));
   if(!run.run(levels, wants_distances || wants_sources, visitor_parameter.visitor(), options.statistics))
     return false;

@@ -67,7 +67,9 @@ namespace internal {
 // Invariants, between calls: of each halfedge on which strips wait, an end is in the queue of the propagation, with a
 // key that is not greater than the distance of any of them. m_slot tells their lists, m_free the other places of
 // m_lists. m_halfedge has at least as many places as m_lists.
-template <typename FT>
+//
+// `Kept` is what keeps the strips that cross faces: keep(halfedge, strip) is called for each.
+template <typename FT, typename Kept = Edge_strip_field<FT>>
 class Strip_front
 {
   using Mesh = Intrinsic_mesh<FT>;
@@ -105,9 +107,9 @@ public:
 
   // Distances of vertices need no strip any more when it has crossed its face; distances of other points do.
   //
-  // Keeps the strips that cross faces from now on, for queries; the field must be reset for the mesh, and outlive the
-  // run. Null keeps none.
-  void keep_in(Edge_strip_field<FT>* kept) { m_kept = kept; }
+  // Keeps the strips that cross faces from now on, for queries or for isolines; `kept` must be reset for the mesh, and
+  // outlive the run. Null keeps none.
+  void keep_in(Kept* kept) { m_kept = kept; }
 
   // Drops strips that are farther away. Requires: d >= 0.
   void set_maximum_distance(const FT& d) { m_maximum_distance = d; }
@@ -447,7 +449,7 @@ private:
   std::uint32_t m_most_faces_crossed = 0; // by one of m_crossing, or a bound of it
   Loops_by_length<Strip_list_loops<FT>> m_loops;
   std::vector<Strip_foot<FT>> m_foot; // by vertex
-  Edge_strip_field<FT>* m_kept = nullptr;
+  Kept* m_kept = nullptr;
   FT m_maximum_distance = Field::infinity();
   std::size_t m_number_crossed = 0, m_number_created = 0;
 };
