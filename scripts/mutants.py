@@ -98,6 +98,8 @@ SURFACE = INTERNAL + "interface/Intrinsic_surface.h"
 DEPARTURE = INTERNAL + "paths/Departure.h"
 WALK = INTERNAL + "interface/tracing/Straightest_walk.h"
 FAN = INTERNAL + "interface/tracing/Vertex_fan.h"
+TRACE_WALLS = INTERNAL + "interface/tracing/Layouts_with_walls.h"
+TRACE_AVOIDED = INTERNAL + "interface/tracing/Layouts_with_avoided_faces.h"
 DISTANCE_FUNCTIONS = INTERNAL + "interface/distance_functions.h"
 CURVES_AT_WALLS = INTERNAL + "surface/curves/curves_at_walls.h"
 VERTEX_COPIES = INTERNAL + "surface/walls/Vertex_copies.h"
@@ -162,6 +164,7 @@ SIGNED_ISOLINES = "test_signed_isolines"
 CURVE_ISOLINES = "test_isolines_from_curves"
 BY_HAND = "test_Voronoi_by_hand"
 TRACE = "test_trace_geodesic"
+TRACE_OBSTACLES = "test_traces_around_obstacles"
 LOGARITHM = "test_logarithmic_map"
 OBSTACLES = "test_obstacles"
 WALLS = "test_walls"
@@ -921,6 +924,15 @@ MUTANTS = [
     ("area_behind_walls", DIAGRAM_CERTIFICATE,
      "if(is_at_wall(h, m_diagram))", "if(false && is_at_wall(h, m_diagram))",
      "faces behind a wall are expected in cells that end at it", (WALLS_OF_CERTIFIED_DIAGRAMS,)),
+    ("walk_into_avoided_face", TRACE_WALLS,
+     "layouts.is_wall(h) || layouts.is_avoided(face(h, tm));", "layouts.is_wall(h);",
+     "a traced geodesic enters a face to avoid", (TRACE_OBSTACLES,)),
+    ("rim_mirrored", TRACE_AVOIDED,
+     "b[next_corner(k)], b[k]);", "b[k], b[next_corner(k)]);",
+     "a location at the rim is moved along its edge", (TRACE_OBSTACLES,)),
+    ("start_among_avoided_faces", TRACE_AVOIDED,
+     "return !is_border(g, tm) && !layouts.is_avoided(face(g, tm)); };", "return !is_border(g, tm); };",
+     "a geodesic begins in a face to avoid", (TRACE_OBSTACLES,)),
     ("walk_through_wall", WALK,
      "if(is_end_of_surface(o, m_tm, m_layouts))", "if(is_border(o, m_tm))",
      "a geodesic goes on behind a wall", (WALLS,)),

@@ -51,7 +51,7 @@ struct Traced_geodesic
   enum End
   {
     AT_LENGTH,     ///< it has the length that was asked for
-    AT_BORDER,     ///< it has reached the border, or a vertex of it
+    AT_BORDER,     ///< it has reached the border or what is to be avoided, or a vertex of it
     AT_SINGULARITY ///< nothing is straight on: at a vertex with an edge without length, or in faces without area
   };
 
@@ -120,6 +120,18 @@ geodesic crosses, plus the degrees of the vertices that it passes.
                    as key type and a 3D point type with the members `x()`, `y()`, `z()` as value type}
     \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
   \cgalParamNEnd
+  \cgalParamNBegin{faces_to_avoid}
+    \cgalParamDescription{faces that the geodesic does not enter, as if they were not in the mesh: it ends where it
+                          meets one of them, or a vertex of one. Directions at such a vertex are those at a vertex of
+                          the border, in the faces that are left. A location at the rim of these faces may be given in
+                          one of them, or as a vertex. It is moved then to the face across its edge, or, at a vertex,
+                          to one that is left; directions count from there. A location inside is rejected.}
+    \cgalParamType{a range of face descriptors of `TriangleMesh`, or a class model of `ReadablePropertyMap` with the
+                   face descriptor as key type and `bool` as value type}
+    \cgalParamDefault{an empty range: none}
+    \cgalParamExtra{A range is sorted, whereas a map is read only where the geodesic is. A face of a range that is not
+                    one of the mesh is rejected by `Invalid_geodesic_input`.}
+  \cgalParamNEnd
   \cgalParamNBegin{edges_to_avoid}
     \cgalParamDescription{edges that count as border: the geodesic ends where it meets one of them, or a vertex of one.
                           At such a vertex, directions are counted as at the border, from the first halfedge of the
@@ -133,11 +145,11 @@ geodesic crosses, plus the degrees of the vertices that it passes.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the geodesic. Its first location is `location`.
+\return the geodesic. Its first location is `location`, unless that is given in a face to avoid.
 
-\throws Invalid_geodesic_input if the location is not in its face, has no face or a null face, or is a null vertex or
-        one without faces; if the direction or the length is not finite or the length is negative; or if a face that is
-        visited is not a triangle, or has a coordinate that is not finite or too large
+\throws Invalid_geodesic_input if the location is not in its face, has no face or a null face, is inside of the faces to
+        avoid, or is a null vertex or one without faces; if the direction or the length is not finite or the length is
+        negative; or if a face that is visited is not a triangle, or has a coordinate that is not finite or too large
 
 \sa `geodesic_direction()`
 */
@@ -160,26 +172,30 @@ All else is as for `trace_geodesic()`.
 \tparam EdgeLengthMap a model of `ReadablePropertyMap` with the edge descriptor of `TriangleMesh` as key type and a
         number type that `CGAL::to_double()` takes as value type
 \tparam Location as for `trace_geodesic()`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tm the triangle mesh
 \param edge_length_map the lengths, as for `geodesic_distances_from_edge_lengths()`
 \param location where the geodesic begins
 \param direction the direction in which it begins
 \param length its length, in the unit of the lengths
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those of `trace_geodesic()`, except
+       `vertex_point_map`
 
 \return the geodesic, without points
 
 \throws Invalid_geodesic_input also if a length of a face that is visited is negative or not finite, or violates the
         triangle inequality
 */
-template <typename TriangleMesh, typename EdgeLengthMap, typename Location>
+template <typename TriangleMesh, typename EdgeLengthMap, typename Location, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Traced_geodesic<TriangleMesh>
 trace_geodesic_from_edge_lengths(const TriangleMesh& tm, EdgeLengthMap edge_length_map, const Location& location,
-                                 double direction, double length)
+                                 double direction, double length,
+                                 const CGAL_NP_CLASS& np = parameters::default_values())
 {
   Traced_geodesic<TriangleMesh> result;
-  internal::trace(tm, internal::Layouts_from_edge_lengths<TriangleMesh, EdgeLengthMap>(tm, edge_length_map), location,
-                  direction, length, result);
+  internal::trace(tm, internal::layouts_from_edge_lengths(tm, edge_length_map, np), location, direction, length,
+                  result);
   return result;
 }
 

@@ -13,6 +13,9 @@
 // The sources of a run that finds isolines on its way, points or curves: how they get into the refined mesh, which
 // propagation starts there, and which of them is the nearest one. A user whose sources are points does not compile the
 // propagation from curves, which is a large text.
+//
+// The order of calls in a run: the sources are checked and inserted, then the sweep is reset for the refined mesh, then
+// the propagation is made and started, and it is gone when the lines are read.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/paths/Isoline_sweep.h>
@@ -64,7 +67,8 @@ public:
     m_numbers.assign(m_set);
   }
 
-  // Adds the sources to a new propagation, which ends at a distance in the unit of the mesh.
+  // Adds the sources to a new propagation, which ends at a distance in the unit of the mesh. Sources at walls are
+  // listed once for each side.
   void start(Propagation& propagation, double limit, Sweep&) const
   {
     for(std::size_t i = 0; i < m_set.size(); ++i)
@@ -104,7 +108,8 @@ public:
     : m_curves(Curve_insertion<double>(surface.mesh(), insertion).insert(surface.located_curves(curves, offsets)))
   {}
 
-  // Restarts the propagation, whose tables of strips get the size of the mesh.
+  // Restarts the propagation, whose tables of strips get the size of the mesh. The limit comes first: strips that start
+  // beyond it are not made.
   void start(Propagation& propagation, double limit, Sweep& sweep) const
   {
     propagation.restart();
@@ -116,7 +121,7 @@ public:
   // Notes the feet of paths: they are known as long as the propagation is there.
   void finish(const Propagation& propagation) { m_foot = propagation.strips().feet(); }
 
-  // The same as for points.
+  // The same as for points. Where curves meet, the first one counts of those with the smallest offset.
   std::size_t number(const Vertex_distance_field<double>& field, Vertex_id v) const
   {
     return curve_point_of_vertex(m_curves, field, [this](Vertex_id u) { return m_foot[u]; }, v).curve;

@@ -122,7 +122,9 @@ using Isoline_parameters
                  internal_np::nearest_source_map_t>::type;
 using Matrix_parameters = Extended_set<Mesh_parameters, internal_np::faces_to_avoid_t,
                                        internal_np::edges_to_avoid_t>::type;
-using Tracing_parameters = Extended_set<Mesh_parameters, internal_np::edges_to_avoid_t>::type;
+using Edge_length_tracing_parameters = Extended_set<Index_map_parameters, internal_np::faces_to_avoid_t,
+                                                    internal_np::edges_to_avoid_t>::type;
+using Tracing_parameters = Extended_set<Edge_length_tracing_parameters, internal_np::vertex_point_t>::type;
 using Peeling_parameters = Extended_set<Matrix_parameters, internal_np::visitor_t>::type;
 using Pair_parameters = Extended_set<Matrix_parameters, internal_np::statistics_t>::type;
 using Store_parameters

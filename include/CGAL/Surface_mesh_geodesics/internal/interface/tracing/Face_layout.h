@@ -113,13 +113,15 @@ template <typename TriangleMesh, typename VertexPointMap>
 class Layouts_from_points
 {
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+  using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
   using Numbers = std::array<double, 3>;
 
 public:
   static constexpr bool has_points = true;
 
-  // There are no walls (Layouts_with_walls.h).
+  // There are no obstacles (Layouts_with_walls.h, Layouts_with_avoided_faces.h).
   static constexpr bool is_wall(halfedge_descriptor) { return false; }
+  static constexpr bool is_avoided(face_descriptor) { return false; }
 
   Layouts_from_points(const TriangleMesh& tm, VertexPointMap vpm) : m_tm(tm), m_vpm(vpm) {}
 
@@ -181,13 +183,15 @@ template <typename TriangleMesh, typename EdgeLengthMap>
 class Layouts_from_edge_lengths
 {
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+  using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
   using Reason = Invalid_geodesic_input::Reason;
 
 public:
   static constexpr bool has_points = false;
 
-  // There are no walls (Layouts_with_walls.h).
+  // There are no obstacles (Layouts_with_walls.h, Layouts_with_avoided_faces.h).
   static constexpr bool is_wall(halfedge_descriptor) { return false; }
+  static constexpr bool is_avoided(face_descriptor) { return false; }
 
   Layouts_from_edge_lengths(const TriangleMesh& tm, EdgeLengthMap elm) : m_tm(tm), m_elm(elm) {}
 

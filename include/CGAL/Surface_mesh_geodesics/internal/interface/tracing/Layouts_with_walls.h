@@ -29,13 +29,13 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// Does the surface end at h, for a walk that comes from the other side, or around the source of h? It does at a border
-// and at a wall. The layouts of a mesh without walls know none (Face_layout.h).
+// Does the surface end at h, for a walk that comes from the other side, or around the source of h? It does at a border,
+// at a wall, and where the face of h is avoided. The layouts of a mesh without obstacles know none (Face_layout.h).
 template <typename TriangleMesh, typename Layouts>
 bool is_end_of_surface(typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h, const TriangleMesh& tm,
                        const Layouts& layouts)
 {
-  return is_border(h, tm) || layouts.is_wall(h);
+  return is_border(h, tm) || layouts.is_wall(h) || layouts.is_avoided(face(h, tm));
 }
 
 // A walk asks for few edges, but in no order, so they are sorted once. They are sorted as halfedges: the order of edge

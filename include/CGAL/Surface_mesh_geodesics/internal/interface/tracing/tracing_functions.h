@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_values.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/tracing/Face_layout.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/tracing/Layouts_with_avoided_faces.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/tracing/Layouts_with_walls.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/tracing/Straightest_walk.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/tracing/Vertex_fan.h>
@@ -53,7 +54,7 @@ using Snapped_location
 // Returns a location of the user, which is a vertex or a location in a face, checked and snapped. Throws
 // Invalid_geodesic_input if it is not on the mesh.
 template <typename TriangleMesh, typename Location>
-Snapped_location<TriangleMesh> snapped_location(const TriangleMesh& tm, const Location& location)
+Snapped_location<TriangleMesh> location_on_mesh(const TriangleMesh& tm, const Location& location)
 {
   using Graph_traits = boost::graph_traits<TriangleMesh>;
   static_assert(Is_source<TriangleMesh, Location>::value,
@@ -91,6 +92,16 @@ Snapped_location<TriangleMesh> snapped_location(const TriangleMesh& tm, const Lo
   }
 }
 
+// The same beside the faces to avoid, among which a location at their rim may be given. Throws also if it is inside of
+// them. A walk never sees a face to avoid then: it begins in another one, and ends where it would enter one.
+template <typename TriangleMesh, typename Layouts, typename Location>
+Snapped_location<TriangleMesh> snapped_location(const TriangleMesh& tm, const Layouts& layouts,
+                                                const Location& location)
+{
+  const Snapped_location<TriangleMesh> l = location_on_mesh(tm, location);
+  return layouts.is_avoided(l.first) ? location_beside_avoided_faces(l.first, l.second, tm, layouts) : l;
+}
+
 // Throws unless the direction is finite. Full turns do not matter.
 inline void check_direction(double direction)
 {
@@ -110,7 +121,7 @@ void trace(const TriangleMesh& tm, const Layouts& layouts, const Location& locat
   if(!(length >= 0) || !std::isfinite(length))
     throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::INVALID_DIRECTION,
                                  "the length of a geodesic is negative or not finite");
-  const Snapped_location<TriangleMesh> start = snapped_location(tm, location);
+  const Snapped_location<TriangleMesh> start = snapped_location(tm, layouts, location);
   Straightest_walk<TriangleMesh, Layouts, Result>(tm, layouts, result).walk(start.first, start.second, direction,
                                                                               length);
   if constexpr(Layouts::has_points)
@@ -118,20 +129,33 @@ void trace(const TriangleMesh& tm, const Layouts& layouts, const Location& locat
       result.points.push_back(layouts.point(halfedge(l.first, tm), l.second));
 }
 
-// Without the parameter, layouts answer the question for walls at compile time: a walk costs what it cost before.
+// Without a parameter, layouts answer the questions for obstacles at compile time: a walk costs what it cost before.
 //
-// Returns the layouts by the point map among the named parameters, or by the points of the mesh; with the walls among
-// the named parameters, if there are any. Takes constant time, or that of sorting a range of walls. Throws
-// Invalid_geodesic_input for a wall that is not in the mesh.
-template <typename TriangleMesh, typename NamedParameters>
-auto layouts_from_points(const TriangleMesh& tm, const NamedParameters& np)
+// Returns the layouts with the faces to avoid among the named parameters, if there are any. Takes constant time, or
+// that of sorting a range. Throws Invalid_geodesic_input for a face that is not in the mesh. The layouts are moved on;
+// a map of the user is copied.
+template <typename TriangleMesh, typename Layouts, typename NamedParameters>
+auto with_avoided_faces(const TriangleMesh& tm, Layouts layouts, const NamedParameters& np)
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
-                              get_const_property_map(CGAL::vertex_point, tm));
-  using Layouts = Layouts_from_points<TriangleMesh, decltype(vpm)>;
-  check_parameters<Tracing_parameters>(np);
+  if constexpr(Has_parameter<NamedParameters, internal_np::faces_to_avoid_t>::value)
+  {
+    const auto& avoided = parameters::get_parameter_reference(np, internal_np::faces_to_avoid);
+    using Value = std::remove_const_t<std::remove_reference_t<decltype(avoided)>>;
+    constexpr bool is_map = Is_property_map<Value>::value;
+    static_assert(is_map || Is_range_of<Value, typename boost::graph_traits<TriangleMesh>::face_descriptor>::value,
+                  "the value of the named parameter faces_to_avoid is neither a range of faces nor a property map");
+    using Avoided = std::conditional_t<is_map, Face_map_set<Value>, Face_set<TriangleMesh>>;
+    return Layouts_with_avoided_faces<TriangleMesh, Layouts, Avoided>(tm, std::move(layouts), avoided);
+  }
+  else
+    return layouts;
+}
+
+// The same with the walls among the named parameters. Throws for an edge that is not in the mesh. Both kinds of
+// obstacles may be given at once, in any order: each class adds one answer to those of its base.
+template <typename TriangleMesh, typename Layouts, typename NamedParameters>
+auto with_walls(const TriangleMesh& tm, Layouts layouts, const NamedParameters& np)
+{
   if constexpr(Has_parameter<NamedParameters, internal_np::edges_to_avoid_t>::value)
   {
     const auto& avoided = parameters::get_parameter_reference(np, internal_np::edges_to_avoid);
@@ -140,10 +164,33 @@ auto layouts_from_points(const TriangleMesh& tm, const NamedParameters& np)
     static_assert(is_map || Is_range_of<Value, typename boost::graph_traits<TriangleMesh>::edge_descriptor>::value,
                   "the value of the named parameter edges_to_avoid is neither a range of edges nor a property map");
     using Walls = std::conditional_t<is_map, Edge_map_set<Value>, Edge_set<TriangleMesh>>;
-    return Layouts_with_walls<TriangleMesh, Layouts, Walls>(tm, Layouts(tm, vpm), avoided);
+    return Layouts_with_walls<TriangleMesh, Layouts, Walls>(tm, std::move(layouts), avoided);
   }
   else
-    return Layouts(tm, vpm);
+    return layouts;
+}
+
+// Returns the layouts by the point map among the named parameters, or by the points of the mesh, with the obstacles
+// among the parameters. The parameters are checked first, so that one that is not taken does not compile.
+template <typename TriangleMesh, typename NamedParameters>
+auto layouts_from_points(const TriangleMesh& tm, const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  check_parameters<Tracing_parameters>(np);
+  auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                              get_const_property_map(CGAL::vertex_point, tm));
+  const Layouts_from_points<TriangleMesh, decltype(vpm)> layouts(tm, vpm);
+  return with_walls(tm, with_avoided_faces(tm, layouts, np), np);
+}
+
+// The same by a map of edge lengths.
+template <typename TriangleMesh, typename EdgeLengthMap, typename NamedParameters>
+auto layouts_from_edge_lengths(const TriangleMesh& tm, EdgeLengthMap edge_length_map, const NamedParameters& np)
+{
+  check_parameters<Edge_length_tracing_parameters>(np);
+  const Layouts_from_edge_lengths<TriangleMesh, EdgeLengthMap> layouts(tm, edge_length_map);
+  return with_walls(tm, with_avoided_faces(tm, layouts, np), np);
 }
 
 // The differences of coordinates are divided by the unit of the layout, so that squares neither overflow nor vanish.
@@ -213,7 +260,7 @@ auto halfedge_at_location(typename boost::graph_traits<TriangleMesh>::face_descr
 template <typename TriangleMesh, typename Layouts, typename Location, typename Vector>
 double direction_of_vector(const TriangleMesh& tm, const Layouts& layouts, const Location& location, const Vector& v)
 {
-  const Snapped_location<TriangleMesh> start = snapped_location(tm, location);
+  const Snapped_location<TriangleMesh> start = snapped_location(tm, layouts, location);
   const auto h = halfedge_at_location(start.first, start.second, tm);
   const Face_axes axes = axes_of_face(h, layouts);
   const Space_vector<double> given{CGAL::to_double(v[0]), CGAL::to_double(v[1]), CGAL::to_double(v[2])};
@@ -238,7 +285,7 @@ std::pair<typename boost::graph_traits<TriangleMesh>::face_descriptor, std::arra
 vector_of_direction(const TriangleMesh& tm, const Layouts& layouts, const Location& location, double direction)
 {
   check_direction(direction);
-  const Snapped_location<TriangleMesh> start = snapped_location(tm, location);
+  const Snapped_location<TriangleMesh> start = snapped_location(tm, layouts, location);
   auto h = halfedge_at_location(start.first, start.second, tm);
   double angle = reduced_angle(direction, full_turn);
   if(std::count(start.second.begin(), start.second.end(), 0.) == 2)
