@@ -8,6 +8,7 @@
 
 #include <CGAL/Surface_mesh_geodesics/trace_geodesic.h>
 
+#include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 
@@ -391,6 +392,8 @@ void test_invalid_input()
   CHECK(rejects(isolated, 0., 1., Reason::INVALID_DESCRIPTOR));
   CHECK(throws<Invalid>([&] { geodesic_direction(tm, good, Coordinates{0, 0, 0}); }));
   CHECK(throws<Invalid>([&] { geodesic_direction(tm, good, Coordinates{nan, 0, 0}); }));
+  const auto normal = CGAL::Polygon_mesh_processing::compute_face_normal(good.first, tm);
+  CHECK(throws<Invalid>([&] { geodesic_direction(tm, good, normal); }));
   CHECK(throws<Invalid>([&] { geodesic_direction_vector(tm, good, nan); }));
   const Traced none = trace_geodesic(tm, good, 1., 0.);
   CHECK_EQUAL(none.locations.size(), 1u);

@@ -221,7 +221,8 @@ vector, also where the vector leads out of the face.
 
 \return the angle, in \f$ [0, 2\pi) \f$
 
-\throws Invalid_geodesic_input as `trace_geodesic()`, and if the vector is null or not finite, or the face has no area
+\throws Invalid_geodesic_input as `trace_geodesic()`, and if the vector is null, not finite or, up to rounding, at a
+        right angle to the face, or if the face has no area
 */
 template <typename TriangleMesh, typename Location, typename Vector, typename CGAL_NP_TEMPLATE_PARAMETERS>
 double geodesic_direction(const TriangleMesh& tm, const Location& location, const Vector& vector,
@@ -234,7 +235,8 @@ double geodesic_direction(const TriangleMesh& tm, const Location& location, cons
 \ingroup PkgSurfaceMeshGeodesicsFunctions
 
 returns the unit vector of space that has a direction at a location, and the face in whose plane it lies: the face of
-the location, or, at a vertex, the face into which the direction leads. It is the inverse of `geodesic_direction()`.
+the location, or, at a vertex, the face into which the direction leads (at a border vertex the last one if it leads
+across the border). It is the inverse of `geodesic_direction()`.
 
 \tparam TriangleMesh a model of `FaceGraph`
 \tparam Location as for `trace_geodesic()`

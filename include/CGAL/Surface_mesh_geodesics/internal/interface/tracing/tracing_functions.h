@@ -21,6 +21,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/interface/tracing/Layouts_with_walls.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/tracing/Straightest_walk.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/tracing/Vertex_fan.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/face_shape.h>
 
@@ -256,7 +257,7 @@ auto halfedge_at_location(typename boost::graph_traits<TriangleMesh>::face_descr
 
 // Returns the direction of a vector of space at a location. Throws Invalid_geodesic_input. The vector is projected to
 // the plane of the face: its products with the axes of the face are the cosine and the sine of the angle, up to a
-// factor. A vector at a right angle to the face has the direction 0, or whatever rounding leaves.
+// factor. A vector at a right angle to the face, up to rounding, is rejected.
 template <typename TriangleMesh, typename Layouts, typename Location, typename Vector>
 double direction_of_vector(const TriangleMesh& tm, const Layouts& layouts, const Location& location, const Vector& v)
 {
@@ -269,7 +270,11 @@ double direction_of_vector(const TriangleMesh& tm, const Layouts& layouts, const
     throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::INVALID_DIRECTION,
                                  "the vector of a direction is not finite, or null");
   const Space_vector<double> unit = normalized(given);
-  const double angle = std::atan2(dot(unit, axes.y), dot(unit, axes.x));
+  const double x = dot(unit, axes.x), y = dot(unit, axes.y);
+  if(!(std::hypot(x, y) > Tolerance<double>::direction()))
+    throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::INVALID_DIRECTION,
+                                 "the vector of a direction is at a right angle to the face");
+  const double angle = std::atan2(y, x);
   if(std::count(start.second.begin(), start.second.end(), 0.) < 2)
     return reduced_angle(angle, full_turn);
   const Vertex_fan<TriangleMesh> fan(h, tm, layouts);
