@@ -1,11 +1,12 @@
-// Edges to avoid of labels, samples, isolines and certificates: results are those of a mesh that has really been cut
-// along these edges.
+// Edges to avoid of labels, samples, isolines, certificates and solvers from lengths: results are those of a mesh that
+// has really been cut along these edges.
 
 #include "expected_exceptions.h"
 #include "test_meshes.h"
 #include "test_support.h"
 #include "walls_and_places.h"
 
+#include <CGAL/Surface_mesh_geodesics/Geodesic_distance_solver.h>
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_paths.h>
 #include <CGAL/Surface_mesh_geodesics/certify_geodesic_distances.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_Voronoi_labels.h>
@@ -295,6 +296,31 @@ void check_certificate(const Case& c, test_support::Random& random)
 
 // --- all of them, for walls of all shapes ---
 
+// A solver from the lengths of edges has the bits of the function from lengths, and keeps its obstacles from run to
+// run.
+void check_solver_from_lengths(const Case& c, test_support::Random& random)
+{
+  const auto length = boost::make_function_property_map<edge_descriptor>(
+    [&](edge_descriptor e)
+    { return std::sqrt(CGAL::squared_distance(c.tm.point(source(e, c.tm)), c.tm.point(target(e, c.tm)))); });
+  const auto parameters = np::faces_to_avoid(c.avoided).edges_to_avoid(c.range);
+  auto solver = SMG::Geodesic_distance_solver<Mesh>::from_edge_lengths(c.tm, length, parameters);
+  for(int i = 0; i < 2; ++i)
+  {
+    const std::vector<Place> places = random_places(c, 2, random);
+    Distances distance;
+    SMG::geodesic_distances_from_edge_lengths(c.tm, length, boost::make_assoc_property_map(distance),
+                                              locations_of(c, places), parameters);
+    solver.compute_distances(locations_of(c, places));
+    const Distances expected = c.expected(places);
+    for(const vertex_descriptor v : vertices(c.tm))
+    {
+      CHECK_EQUAL(solver.distance(v), distance.at(v));
+      CHECK_CLOSE(solver.distance(v), expected.at(v), 1e-12);
+    }
+  }
+}
+
 void test_against_cut_mesh()
 {
   test_support::Random random(7);
@@ -304,6 +330,7 @@ void test_against_cut_mesh()
     check_samples(c, random);
     check_isolines(c, random);
     check_certificate(c, random);
+    check_solver_from_lengths(c, random);
   });
 }
 

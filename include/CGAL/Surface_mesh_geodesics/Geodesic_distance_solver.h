@@ -20,6 +20,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Face_shapes.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Intrinsic_surface.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Private_access.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/distance_functions.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
 
@@ -213,15 +214,24 @@ public:
   ///
   /// \tparam EdgeLengthMap a model of `ReadablePropertyMap` with the edge descriptor as key type and a number
   ///         type that `CGAL::to_double()` takes as value type
+  /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
   ///
   /// \param tm the triangle mesh
   /// \param edge_length_map the lengths, as for `geodesic_distances_from_edge_lengths()`
-  template <typename EdgeLengthMap>
-  static Geodesic_distance_solver from_edge_lengths(const TriangleMesh& tm, EdgeLengthMap edge_length_map)
+  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `faces_to_avoid` and
+  ///        `edges_to_avoid`, as for `geodesic_distances()`
+  ///
+  /// \throws Invalid_geodesic_input also if an edge or a face of the ranges is not one of the mesh
+  template <typename EdgeLengthMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
+  static Geodesic_distance_solver from_edge_lengths(const TriangleMesh& tm, EdgeLengthMap edge_length_map,
+                                                    const CGAL_NP_CLASS& np = parameters::default_values())
   {
-    return from_edge_lengths(tm, edge_length_map,
-                             CGAL::get_initialized_vertex_index_map(tm, parameters::default_values()),
-                             CGAL::get_initialized_face_index_map(tm, parameters::default_values()));
+    internal::check_parameters<internal::Obstacle_parameters>(np);
+    const auto faces = CGAL::get_initialized_face_index_map(tm, parameters::default_values());
+    return Geodesic_distance_solver(std::unique_ptr<Solver>(
+      new Solver(tm, CGAL::get_initialized_vertex_index_map(tm, parameters::default_values()), faces,
+                 internal::Shape_from_edge_lengths<double, TriangleMesh, EdgeLengthMap>(tm, edge_length_map),
+                 internal::obstacles(tm, faces, np))));
   }
 
   /// returns a solver for a surface that is given by the lengths of its edges, with the indices of the

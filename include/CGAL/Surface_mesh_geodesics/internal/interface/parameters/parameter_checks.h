@@ -114,6 +114,7 @@ using Edge_length_distance_parameters
   = Extended_set<Index_map_parameters, internal_np::visitor_t, internal_np::maximum_distance_t, internal_np::targets_t,
                  internal_np::source_offsets_t, internal_np::statistics_t, internal_np::nearest_source_map_t,
                  internal_np::faces_to_avoid_t, internal_np::edges_to_avoid_t>::type;
+using Obstacle_parameters = Parameter_set<internal_np::faces_to_avoid_t, internal_np::edges_to_avoid_t>;
 using Signed_distance_parameters
   = Extended_set<Mesh_and_visitor_parameters, internal_np::maximum_distance_t, internal_np::statistics_t,
                  internal_np::faces_to_avoid_t, internal_np::edges_to_avoid_t>::type;
