@@ -195,10 +195,15 @@ private:
   // Formula: let L be the length of the first side, p and y the coordinates of its other end on the edge ab, seen from
   // the foot of the vertex. The ray at the angle t from the side meets ab at L^2 sin t / (p sin t + y cos t) from that
   // end. Here t = pi/2 - before, less the slope.
+  //
+  // Where the vertex lies on the edge ab itself, in front of a flat face, all rays meet ab at one point up to rounding,
+  // and nothing is taken out: the window of this face is not trimmed (trim()), and points of ab tell no directions.
   void take_out_part(Halfedge_id va, const Angle_sum<FT>& before, bool is_counterclockwise, Edge_part& part) const
   {
     const FT sine = before.cosine - m_slope * before.sine, cosine = before.sine + m_slope * before.cosine;
     const Face_frame<FT> c = m_mesh.face_frame(next_halfedge(va)); // of ab; the apex is the vertex
+    if(c.apex_y <= Tolerance<FT>::closeness() * c.length && c.apex_x > 0 && c.apex_rest > 0)
+      return;
     const FT& p = is_counterclockwise ? c.apex_x : c.apex_rest;
     const FT& side = is_counterclockwise ? c.left_length : c.right_length;
     const FT divisor = p * sine + c.apex_y * cosine;
