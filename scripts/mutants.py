@@ -114,6 +114,7 @@ BLOCK_TEAM = INTERNAL + "propagation/Block_team.h"
 BUILDER = INTERNAL + "surface/Intrinsic_mesh_builder.h"
 CHUNKS = INTERNAL + "propagation/Chunk_team.h"
 LOWER_BOUND = INTERNAL + "certificate/Lower_bound_check.h"
+LOWER_FUNCTION = INTERNAL + "certificate/Lower_bound_function.h"
 EDGE_FUNCTION = INTERNAL + "certificate/Edge_distance_function.h"
 SAMPLE_PLACEMENT = INTERNAL + "applications/Sample_placement.h"
 SAMPLES = INTERNAL + "applications/Farthest_point_sampling.h"
@@ -193,7 +194,9 @@ RANDOM_DIAGRAMS = "test_Voronoi_random"
 CUT = "test_Voronoi_cut"
 NEAR_SITES = "test_Voronoi_nearly_equal_sites"
 CERTIFICATE_CHECKS = "test_certificate_checks"
+CERTIFICATE_OF_STRIPS = "test_certificate_of_strips"
 CERTIFICATION = "test_certification_of_distances"
+CERTIFICATION_OF_CURVES = "test_certification_of_curves"
 MATRICES = "test_distance_matrix"
 DIAGRAM_CERTIFICATION = "test_certification_of_Voronoi_diagrams"
 ARC_PIECES = "test_arc_pieces"
@@ -803,6 +806,39 @@ MUTANTS = [
     ("last_part_wins", VIOLATION,
      "if(!(other.size > size))", "if(!(other.size >= size))",
      "the vertex of a violation depends on how the check is divided", (CERTIFICATE_CHECKS, PARALLEL_APPLICATIONS)),
+    ("function_extrema_of_rays", EDGE_FUNCTION,
+     "FT(other.x + other.depth * (rays.x / rays.depth))", "FT(other.x - other.depth * (rays.x / rays.depth))",
+     "rays and distances along an edge are compared at the wrong abscissa",
+     (CERTIFICATE_OF_STRIPS, CERTIFICATION_OF_CURVES)),
+    ("rays_backward", EDGE_FUNCTION,
+     "return {length - end, length - begin, -x, depth, offset + x * length, true};",
+     "return {length - end, length - begin, x, depth, offset, true};",
+     "seen from the other face of an edge, rays come from the wrong side", (CERTIFICATE_OF_STRIPS,)),
+    ("direction_taken_for_granted", LOWER_FUNCTION,
+     "s.direction_x / size, s.direction_y / size, s.distance, true};",
+     "s.direction_x, s.direction_y, s.distance, true};",
+     "the proof believes a strip whose direction has another length than 1", (CERTIFICATE_OF_STRIPS,)),
+    ("rays_through_sides", LOWER_FUNCTION,
+     "rays.offset - (direction.x * side.origin.x + direction.y * side.origin.y), true},",
+     "rays.offset, true},",
+     "the function has wrong values behind the sides of a face", (CERTIFICATE_OF_STRIPS, CERTIFICATION_OF_CURVES)),
+    ("rays_on_wrong_side", LOWER_BOUND,
+     "return q.x * (c.y - b.y) - q.depth * (c.x - b.x);", "return q.depth * (c.x - b.x) - q.x * (c.y - b.y);",
+     "points beside a strip are compared with its rays", (CERTIFICATE_OF_STRIPS, CERTIFICATION_OF_CURVES)),
+    ("bound_inside_of_curves", LOWER_BOUND,
+     "worst.record(p.at(t) - offset, p.at(t), extents[v], v);",
+     "worst.record(FT(0), p.at(t), extents[v], v);",
+     "a bound that is too large inside of the edges of curves is believed", (CERTIFICATE_OF_STRIPS,)),
+    ("paths_end_on_any_edge", CHECKS,
+     "return it == m_offset_on_edge.end() ? infinity() : it->second;",
+     "return it == m_offset_on_edge.end() ? FT(0) : it->second;",
+     "a path that ends on an edge without a curve counts", (CERTIFICATE_CHECKS,)),
+    ("reverse_to_corners_only", DISTANCE_CERTIFICATE,
+     "FT(function.least_value(h, on_edge) + offset)", "FT(to_edges + function.least_value(h, on_edge) + offset)",
+     "in reverse, the nearest point of a curve is a corner", (CERTIFICATION_OF_CURVES,)),
+    ("corner_in_front_of_flat_face", NORMALS,
+     "if(c.apex_y <= Tolerance<FT>::closeness() * c.length && c.apex_x > 0 && c.apex_rest > 0)", "if(false)",
+     "a corner of a curve that lies on an edge emits nothing across it", (HOSTILE_CURVES,)),
     ("function_extrema", EDGE_FUNCTION,
      "const FT t = (x * other_depth - other_x * depth) / (other_depth - depth);",
      "const FT t = (x * other_depth + other_x * depth) / (other_depth + depth);",

@@ -2,6 +2,7 @@
 
 #include "Command.h"
 #include "Command_error.h"
+#include "Curve_options.h"
 #include "Distance_field.h"
 #include "Input_file.h"
 #include "Output_files.h"
@@ -38,6 +39,7 @@ const Location_options source_options("source");
 void declare(Option_descriptions& options)
 {
   source_options.declare(options);
+  declare_curves(options, "source");
   declare_seed(options);
   options.add_options()
     ("distances", po::value<std::string>()->value_name("FILE"),
@@ -130,8 +132,9 @@ private:
   std::vector<bool> m_is_known;
 };
 
+// The sources are the curves, if there are any.
 Certificate certificate_of(Mesh& mesh, const std::vector<double>& distances, const std::vector<Location>& sources,
-                           const Obstacles& avoided, double radius)
+                           const std::vector<Curve>& curves, const Obstacles& avoided, double radius)
 {
   const auto map = mesh.add_property_map<Vertex, double>("v:checked_distance", 0).first;
   for(const Vertex v : mesh.vertices())
@@ -140,6 +143,8 @@ Certificate certificate_of(Mesh& mesh, const std::vector<double>& distances, con
                     .edges_to_avoid(avoided.walls);
   const std::vector<Vertex> vertices = as_vertices(sources);
   using CGAL::Surface_mesh_geodesics::certify_geodesic_distances;
+  if(!curves.empty())
+    return certify_geodesic_distances<Tag>(mesh, map, curves, np);
   return vertices.empty() ? certify_geodesic_distances<Tag>(mesh, map, as_face_locations(sources, mesh), np)
                           : certify_geodesic_distances<Tag>(mesh, map, vertices, np);
 }
@@ -206,16 +211,21 @@ void run(const Arguments& arguments, const Console& console)
   const double tolerance = positive_argument_or(arguments, "tolerance", Certificate::default_tolerance);
   Output_files files(output_names(arguments), {"csv"});
   Mesh mesh = read_mesh(arguments, console);
-  const std::vector<Location> sources = source_options.required_locations(arguments, mesh, console);
+  const bool has_curves = are_curves_given(arguments, "source");
+  const std::vector<Location> sources = has_curves ? source_options.locations(arguments, mesh, console)
+                                                   : source_options.required_locations(arguments, mesh, console);
   const Obstacles avoided = obstacles(arguments, mesh);
+  const std::vector<Curve> curves
+    = has_curves ? curves_of("source", arguments, mesh, sources, avoided, console) : std::vector<Curve>();
   const std::vector<double> distances
     = has(arguments, "distances")
         ? Distance_table(arguments["distances"].as<std::string>(), mesh.number_of_vertices()).distances()
-        : distances_from(mesh, avoided, sources, radius, console).distance;
+      : has_curves ? distances_from(mesh, avoided, curves, radius, console).distance
+                   : distances_from(mesh, avoided, sources, radius, console).distance;
   const Certificate certificate = [&]
   {
     const Work_sign sign(console, "certificate");
-    return certificate_of(mesh, distances, sources, avoided, radius);
+    return certificate_of(mesh, distances, sources, curves, avoided, radius);
   }();
   files.write([&](std::ostream& os, const std::string&) { write_table(os, certificate); });
   if(!certificate.is_certified(tolerance))
@@ -241,7 +251,8 @@ const Command check_command{
   "  PROOF           the lower bounds are proved\n"
   "  REVERSE         the distances from some vertices to the sources are the same in reverse",
   "  surface_mesh_geodesics check bunny.off --source 0\n"
-  "  surface_mesh_geodesics check bunny.off --source 0 --distances other_program.csv --tolerance 1e-9\n",
+  "  surface_mesh_geodesics check bunny.off --source 0 --distances other_program.csv --tolerance 1e-9\n"
+  "  surface_mesh_geodesics check scan.off --source-border\n",
   declare, run};
 
 } // namespace geodesics_demo

@@ -81,7 +81,8 @@ struct Witness
   template <typename Chunks>
   SMGI::Worst_violation<double> worst(const Chunks& chunks) const
   {
-    return SMGI::prove_lower_bounds(chunks, mesh, field.distance, extents, windows, []() { return true; });
+    SMGI::Lower_bound_function<double> function(mesh, field.distance, windows);
+    return SMGI::prove_lower_bounds(chunks, function, extents, []() { return true; });
   }
 
   double violation() const { return worst(SMGI::Chunk_team<SMGI::Calling_thread>()).size; }

@@ -62,7 +62,7 @@ public:
   enum class Condition
   {
     REACH,          ///< Distances are numbers, not negative, and infinite exactly where no faces lead to a source.
-    SOURCES,        ///< The distance of a source vertex is not greater than its offset.
+    SOURCES,        ///< The distance of a source vertex, or of a vertex on a curve, is not greater than the offset.
     EDGES,          ///< Along an edge, the distance grows by at most the length of the edge.
     PAIRS_OF_FACES, ///< Along a segment through two faces, from vertex to vertex, it grows by at most its length.
     PATHS,          ///< A path of this length leads from the vertex to a source: the distance is not too short.

@@ -45,7 +45,8 @@ and checks each step of the proof:
 
 A propagation proposes the paths and the function; if it errs, the proof fails. In addition, the function checks some
 conditions that need no propagation (`REACH`, `SOURCES`, `EDGES`, `PAIRS_OF_FACES`), and computes some distances in
-reverse. It trusts the edge lengths that it has read, and the insertion of sources that are not vertices.
+reverse. It trusts the edge lengths that it has read, and the insertion of sources that are not vertices: faces that a
+curve crosses are divided along it. All points of a curve count as sources in the proof.
 
 If no condition is violated by more than \f$ \delta \f$, a distance is too short by at most \f$ \delta \f$, and too long
 by at most \f$ (m + 3) \delta \f$, relative to the sum of the distance and the longest edge of the mesh, where \f$ m \f$
@@ -53,7 +54,8 @@ is the number of faces that a shortest path crosses.
 
 <b>Complexity.</b> Takes the time and the memory of a propagation that keeps its windows. In addition it takes time
 quadratic in the number of intervals into which the function divides the edges of a face, for each face, and linear in
-the number of faces that a path crosses, for each vertex.
+the number of faces that a path crosses, for each vertex. With curves, each of the propagations in reverse keeps its
+windows, too, and goes on to the end.
 
 <b>Parallelism.</b> With `Parallel_tag`, threads share the checks of paths and of lower bounds, which take most of the
 time; the propagations and the reading of the mesh and the maps stay in the calling thread, which alone calls the
@@ -66,7 +68,7 @@ no thread modifies them; see `geodesic_distances()`.
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam VertexDistanceMap a model of `ReadablePropertyMap` with the vertex descriptor of `TriangleMesh` as key type and
         a number type that `CGAL::to_double()` takes as value type
-\tparam Sources a source or a range of sources, as for `geodesic_distances()`
+\tparam Sources a source or a range of sources, points or curves, as for `geodesic_distances()`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tm the triangle mesh
@@ -143,7 +145,7 @@ How to write sequences of parameters, and which one comes first: \ref Surface_me
 
 \return for each condition, how far it is violated and where. The function does not throw because distances are wrong.
 
-\throws Invalid_geodesic_input if the mesh, a source, the radius, an offset or a face to avoid is invalid, as
+\throws Invalid_geodesic_input if the mesh, a source, a curve, the radius, an offset or a face to avoid is invalid, as
         `geodesic_distances()` does
 \throws std::bad_alloc if there is not enough memory for the windows
 */

@@ -51,6 +51,23 @@ is_silent check "$grid" --source 0 --radius 0.5 --distances near_distances.csv >
 cmp near.csv same.csv
 is_silent check "$data/two_components.off" --source 0 > parts.csv
 
+# Curves. The distance from the border of the square is min(x, 1 - x, y, 1 - y); of its vertices, 5, 6, 9 and 10 are
+# inside. Distances from a vertex of the border are others.
+awk 'BEGIN {
+  print "vertex,distance"
+  for(v = 0; v < 16; ++v) printf "%d,%.17g\n", v, (v == 5 || v == 6 || v == 9 || v == 10) / 3
+}' > from_border.csv
+is_silent check "$grid" --source-border --distances from_border.csv > border.csv
+is_silent check "$grid" --source-border > same.csv
+equals "$(column border.csv condition)" "$(column same.csv condition)"
+printf 'v 0.1 0.2 0\nv 0.9 0.7 0\nv 0.3 0.8 0\nl 1 2 3 1\n' > curve.obj
+is_silent distances "$grid" --source-curve curve.obj --source 0 --radius 0.4 -o from_curve.csv
+is_silent check "$grid" --source-curve curve.obj --source 0 --radius 0.4 --distances from_curve.csv > curve.csv
+is_refuted PATHS 15 "$grid" --source-border --distances distances.csv
+sed 's/^9,.*/9,0.3334/' from_border.csv > longer.csv
+is_refuted LOWER_BOUNDS 9 "$grid" --source-border --distances longer.csv
+rejects 2 "--source-border: the surface has no border" check "$data/tetra.off" --source-border
+
 # changed <vertex> <expression of the distance d>: the table with another distance of a vertex
 changed() {
   awk -F, -v v="$1" 'BEGIN { OFS = "," } NR > 1 && $1 == v { d = $2; $2 = '"$2"' } { print }' OFMT='%.17g' \

@@ -19,7 +19,8 @@
 //   check_sources()         d(s) <= offset of s, for each source s at a vertex with a value
 //   check_edges()           d(w) <= d(v) + |vw| along each edge, in both directions
 //   check_pairs_of_faces()  the same for the vertices opposite to an edge, if the segment between them crosses it
-//   check_paths()           d(v) = the measured length of a path to a source + the offset of that source
+//   check_paths()           d(v) = the measured length of a path to a source + the offset of that source; the path to a
+//                           curve ends at a vertex of it, or on an edge
 //   check_lower_bounds()    d(v) <= u(v), the lower bound that Lower_bound_check proves
 //   check_reverse()         d(v) = the smallest offset + distance of a source, computed from v
 // check_paths() shows that no value is too short, check_lower_bounds() that none is too long.
@@ -35,6 +36,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/paths/Straight_piece.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Worst_violation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/strips/Curve_arrivals.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Component_extents.h>
 #include <CGAL/Surface_mesh_geodesics/internal/paths/path_tracing.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
@@ -46,6 +48,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -80,6 +83,14 @@ public:
   // Adds a source at a vertex, which need not have a value. The smallest offset of the sources at a vertex counts. Call
   // it before any check.
   void add_source(Vertex_id v, const FT& offset) { m_offsets[v] = (std::min)(m_offsets[v], offset); }
+
+  // Adds the points of an edge of a curve as sources. Its ends are added apart. One edge is added once.
+  void add_source_edge(Halfedge_id h, const FT& offset)
+  {
+    m_offset_on_edge[h] = offset;
+    if(m_mesh.opposite(h) != null_id)
+      m_offset_on_edge[m_mesh.opposite(h)] = offset;
+  }
 
   // --- conditions; `limit` is the radius up to which distances were computed, infinity if all were ---
 
@@ -169,12 +180,13 @@ public:
   // path is found, or it does not end at a source, the violation is infinite.
   // The loop over the vertices is that of `chunks` (Chunk_team.h). Before each path, go_on() is called; the check is
   // interrupted if it returns false. The result does not depend on the number of threads.
-  // Requires: the field is that of a complete propagation on the same mesh, and has images (Path_tracer).
+  // Requires: the field is that of a complete propagation on the same mesh, and has images (Path_tracer); `curves` has
+  // what the propagation knows of curves, and is null if all sources are points.
   template <typename Chunks, typename GoOn>
-  Violation check_paths(const Chunks& chunks, const Vertex_distance_field<FT>& field, const FT& limit,
-                        GoOn go_on) const
+  Violation check_paths(const Chunks& chunks, const Vertex_distance_field<FT>& field, const FT& limit, GoOn go_on,
+                        const Curve_arrivals<FT>* curves = nullptr) const
   {
-    const Path_tracer<FT> tracer(m_mesh, field);
+    const Path_tracer<FT> tracer(m_mesh, field, curves);
     const std::size_t n = m_values.size();
     std::vector<Violation> of_chunks(chunks.number_of_chunks(n));
     const bool is_complete
@@ -193,11 +205,13 @@ public:
   const std::vector<FT>& extents() const { return m_extents; }
 
   // Checks that the value of v equals its distance from the sources, computed in reverse: `field_of_v` has the
-  // distances from v, which are final at all sources. Distances are symmetric; offsets are added at the other end. A
-  // vertex that is reached in neither way is left to check_reach(). Takes linear time.
-  void check_reverse(Vertex_id v, const Vertex_distance_field<FT>& field_of_v, const FT& limit, Violation& worst) const
+  // distances from v, which are final at all sources. Distances are symmetric; offsets are added at the other end.
+  // `to_edges` is the least distance from v to the edges of curves, with their offsets. A vertex that is reached in
+  // neither way is left to check_reach(). Takes linear time.
+  void check_reverse(Vertex_id v, const Vertex_distance_field<FT>& field_of_v, const FT& limit, Violation& worst,
+                     const FT& to_edges = infinity()) const
   {
-    FT reverse = infinity();
+    FT reverse = to_edges;
     for(Vertex_id s = 0; s < m_offsets.size(); ++s)
       if(m_offsets[s] < infinity())
         reverse = (std::min)(reverse, FT(m_offsets[s] + field_of_v.distance[s]));
@@ -207,12 +221,12 @@ public:
   }
 
   // Returns the length of a path from its first vertex to a source, plus the offset of the source. Returns infinity if
-  // the path does not start and end at vertices, if its end is not a source, or if a piece of it is not in the face
-  // that the path names for it. The lengths that the path itself states (Path_step::gap) are not read. Takes linear
+  // the path does not start at a vertex, if its end is not a source, or if a piece of it is not in the face that the
+  // path names for it. The lengths that the path itself states (Path_step::gap) are not read. Takes linear
   // time.
   FT length_to_source(const Path_steps<FT>& path) const
   {
-    if(path.empty() || path.front().vertex == null_id || path.back().vertex == null_id)
+    if(path.empty() || path.front().vertex == null_id)
       return infinity();
     FT length = 0;
     for(std::size_t i = 1; i < path.size(); ++i)
@@ -223,11 +237,20 @@ public:
         return infinity();
       length += norm<FT>(to[0] - from[0], to[1] - from[1]);
     }
-    return length + m_offsets[path.back().vertex];
+    return length + offset_at(path.back());
   }
 
 private:
   static FT infinity() { return std::numeric_limits<FT>::infinity(); }
+
+  // Returns the offset of the source at the end of a path; infinity if there is none.
+  FT offset_at(const Path_step<FT>& end) const
+  {
+    if(end.vertex != null_id)
+      return m_offsets[end.vertex];
+    const auto it = m_offset_on_edge.find(end.halfedge);
+    return it == m_offset_on_edge.end() ? infinity() : it->second;
+  }
 
   // Checks the path of one vertex. `distance` is that of the field, and `path` is reused memory.
   void check_path(Vertex_id v, const Path_tracer<FT>& tracer, const FT& distance, const FT& limit,
@@ -318,6 +341,7 @@ private:
   const Mesh& m_mesh;
   std::vector<FT> m_values;  // by vertex with a value
   std::vector<FT> m_offsets; // by vertex; infinity where no source is
+  std::unordered_map<Halfedge_id, FT> m_offset_on_edge; // by halfedge on an edge of a curve
   std::vector<FT> m_scale;   // the longest edge of the faces around a vertex
   std::vector<FT> m_extents; // the longest edge of the component of a vertex
 };

@@ -11,8 +11,9 @@
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_CERTIFICATE_EDGE_DISTANCE_FUNCTION_H
 
 // An upper bound of the distance on an edge, as a function of the abscissa. It is the minimum over families of paths;
-// the paths of a family lead straight from one image of a pseudo-source to an interval of the edge. The function is
-// continuous up to rounding, and never less than the distance because all these paths exist.
+// the paths of a family lead straight from one image of a pseudo-source to an interval of the edge, or along parallel
+// rays from a curve. The function is continuous up to rounding, and never less than the distance because all these
+// paths exist.
 //
 // Use: restart() for an edge, add() for each family of paths, pieces() for the result. add() takes the minimum with
 // three parts: the family over its interval, and on either side of it paths that go on from there. add_part() finds out
@@ -35,14 +36,32 @@ namespace internal {
 // The distance on the interval [begin, end] of an edge: the distance from an image at (x, -depth) in the frame of the
 // edge, plus `offset`, the length of the path up to the image. The depth is not negative, up to rounding. The image may
 // be on either side of the edge: distances on the edge are the same. x need not be in the interval.
+//
+// The image of a curve is infinitely far away (`is_linear`): rays come from it in the direction (x, depth), a unit
+// vector, and the distance is a linear function, which has the value `offset` at the abscissa 0.
 template <typename FT>
 struct Distance_piece
 {
   FT begin, end;
   FT x, depth, offset;
+  bool is_linear = false;
 
   // The value at the abscissa t.
-  FT at(const FT& t) const { return offset + norm<FT>(t - x, depth); }
+  FT at(const FT& t) const { return is_linear ? FT(offset + x * t) : FT(offset + norm<FT>(t - x, depth)); }
+
+  // The abscissa of the interval at which the value is least.
+  FT nearest() const
+  {
+    return is_linear ? (x > 0 ? begin : end) : (std::min)((std::max)(x, begin), end);
+  }
+
+  // The same piece as seen from the other end of an edge of this length.
+  Distance_piece backward(const FT& length) const
+  {
+    if(is_linear)
+      return {length - end, length - begin, -x, depth, offset + x * length, true};
+    return {length - end, length - begin, length - x, depth, offset, false};
+  }
 };
 
 // Does one look at the middle of an interval show that a piece is greater there everywhere than another one? Each of
@@ -72,6 +91,21 @@ std::array<FT, 2> turning_points(const FT& x, const FT& depth, const FT& other_x
     return {t, t};
   }
   return {x, other_x};
+}
+
+// The same for two pieces, whatever their images are. A linear function has the slope x. The other slope, the cosine of
+// the angle between the edge and the line to the image, equals it where this line has the direction of the rays. Two
+// linear functions differ by a linear one.
+template <typename FT>
+std::array<FT, 2> turning_points(const Distance_piece<FT>& p, const Distance_piece<FT>& q)
+{
+  if(!p.is_linear && !q.is_linear)
+    return turning_points(p.x, p.depth, q.x, q.depth);
+  if(p.is_linear && q.is_linear)
+    return {p.begin, p.begin};
+  const Distance_piece<FT>&rays = p.is_linear ? p : q, &other = p.is_linear ? q : p;
+  const FT t = other.depth > 0 ? FT(other.x + other.depth * (rays.x / rays.depth)) : other.x;
+  return {t, t};
 }
 
 // The function on one edge, as a sequence of pieces.
@@ -186,7 +220,7 @@ private:
   static std::array<FT, 4> breakpoints(const Piece& part, const Piece& old)
   {
     const FT begin = (std::max)(part.begin, old.begin), end = (std::min)(part.end, old.end);
-    std::array<FT, 2> turn = turning_points(part.x, part.depth, old.x, old.depth);
+    std::array<FT, 2> turn = turning_points(part, old);
     for(FT& t : turn)
       t = t > begin && t < end ? t : begin;
     return {begin, (std::min)(turn[0], turn[1]), (std::max)(turn[0], turn[1]), end};
@@ -243,13 +277,14 @@ private:
     if(!m_buffer.empty())
     {
       Piece& last = m_buffer.back();
-      if(last.x == piece.x && last.depth == piece.depth && last.offset == piece.offset)
+      if(last.x == piece.x && last.depth == piece.depth && last.offset == piece.offset
+         && last.is_linear == piece.is_linear)
       {
         last.end = end;
         return;
       }
     }
-    m_buffer.push_back({begin, end, piece.x, piece.depth, piece.offset});
+    m_buffer.push_back({begin, end, piece.x, piece.depth, piece.offset, piece.is_linear});
   }
 
   FT m_length = 0;

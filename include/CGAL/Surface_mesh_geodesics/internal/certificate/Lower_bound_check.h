@@ -17,12 +17,19 @@
 // vertex v. Proof: the edges cut a path from s to v into pieces, each of them in one face. Along each piece, u grows by
 // at most the length of the piece. The sum over the pieces is u(v) <= u(s) + length of the path.
 //
-// The function u is made of the windows that a propagation has kept. They are only a proposal: a wrong window makes
-// some u(p) wrong, and the condition fails there. The condition is checked for all pairs of points, not for samples. On
-// each edge u consists of pieces, each the distance from one image. For a piece q and a point p, the least u(q) + |pq|
-// over the points of the piece is the distance of p from the image of the piece, reflected into the plane of the face,
-// if the line from there to p passes through the piece, and leads through an end of the piece otherwise. So both sides
-// of the condition are distances from images, and the extrema of their difference are at known abscissas.
+// The points s of a curve lie on edges as well: faces that a curve crosses have been divided along it. So the theorem
+// holds for curves as it stands, if u(s) <= offset for all points s of the edges that are parts of curves.
+//
+// The function u is made of the windows and the strips that a propagation has kept. They are only a proposal: a wrong
+// one makes some u(p) wrong, and the condition fails there. The condition is checked for all pairs of points, not for
+// samples. On each edge u consists of pieces, each the distance from one image. For a piece q and a point p, the least
+// u(q) + |pq| over the points of the piece is the distance of p from the image of the piece, reflected into the plane
+// of the face, if the line from there to p passes through the piece, and leads through an end of the piece otherwise.
+// The same is true of a linear piece, whose image is infinitely far away: with rays of the unit vector (k, n), u(q) is
+// a number plus k q, and the sum grows with q where the line from q to p has a smaller component along the edge than
+// (k, n). So it is least at the ray through p, where it is the same linear function of the plane, or at an end of the
+// piece. So both sides of the condition are distances from images, and the extrema of their difference are at known
+// abscissas.
 //
 // Steps:
 // - Lower_bound_function makes u on each edge.
@@ -30,7 +37,8 @@
 //   are for p on the same edge, check_pieces() for p on the two other sides. check_pair() divides the side of p by the
 //   ends of the piece of q, check_part() compares two distances from images.
 // - prove_lower_bounds() does both, in one thread or in several.
-// - Not here: u(s) <= offset of s. The caller checks that for each source (Distance_certifier).
+// - record_excess_on_edge() checks u(s) <= offset of s on an edge of a curve. A piece is convex, so its ends decide.
+// - Not here: the same for sources at vertices, which the caller checks (Distance_certifier).
 //
 // Rounding. Let e be the largest violation found; a violation is the excess, so u(p) <= u(q) + |pq| + e. A path that
 // crosses m faces gives u(v) <= u(s) + length + m e. The values at both ends of the path may differ by e from the
@@ -125,9 +133,9 @@ private:
   }
 
   // Checks that the function has no jumps, and is not less than the values at the ends of the edge. (It is not greater
-  // by more than rounding, as add_paths() has added the paths from both ends.) A piece is a distance from an image,
-  // which grows by at most the length of the way. So a function without jumps satisfies the condition for two points of
-  // the edge itself, and no other check is needed for them.
+  // by more than rounding, as add_paths() has added the paths from both ends.) A piece is a distance from an image, or
+  // along rays, which grows by at most the length of the way. So a function without jumps satisfies the condition for
+  // two points of the edge itself, and no other check is needed for them.
   // Requires: m_from is not empty.
   void check_continuity(const Face_frame<FT>& c)
   {
@@ -170,19 +178,20 @@ private:
   // Checks the condition from the points of q, on the edge, to the points of p, on the side. The points of p that are
   // seen from the image of q through q form an interval; to those on either side of it, the shortest way is through an
   // end of q. If the image lies on the edge, all ways are through the point of q that is nearest to it. The image is
-  // taken below the edge, opposite to p, wherever its paths come from: its distances on the edge are the same.
+  // taken below the edge, opposite to p, wherever its paths come from: its distances on the edge are the same. Rays
+  // along the edge come from an end of q.
   void check_pair(const Piece& q, const Piece& p, const Side_line<FT>& side, const Ends_of_side& ends)
   {
-    const Point begin = {q.begin, FT(0)}, end = {q.end, FT(0)}, image = {q.x, -q.depth};
+    const Point begin = {q.begin, FT(0)}, end = {q.end, FT(0)};
     if(q.depth <= 0)
     {
-      const Point nearest = {(std::min)((std::max)(q.x, q.begin), q.end), FT(0)};
+      const Point nearest = {q.nearest(), FT(0)};
       check_part(p, p.begin, p.end, nearest, q.at(nearest.x), side, ends);
       return;
     }
     // Positive on the left of the ray through an end of q, negative on its right.
-    const Ends left = {turn(image, begin, side.at(p.begin)), turn(image, begin, side.at(p.end))};
-    const Ends right = {turn(image, end, side.at(p.begin)), turn(image, end, side.at(p.end))};
+    const Ends left = {turn(q, begin, side.at(p.begin)), turn(q, begin, side.at(p.end))};
+    const Ends right = {turn(q, end, side.at(p.begin)), turn(q, end, side.at(p.end))};
     if(left.first > 0 && left.last > 0)
       return check_part(p, p.begin, p.end, begin, q.at(q.begin), side, ends);
     if(right.first < 0 && right.last < 0)
@@ -201,13 +210,33 @@ private:
       limit = right.first < 0 ? (std::max)(limit, zero) : (std::min)(limit, zero);
       check_part(p, right.first < 0 ? p.begin : zero, right.first < 0 ? zero : p.end, end, q.at(q.end), side, ends);
     }
-    check_part(p, first, last, image, q.offset, side, ends);
+    if(q.is_linear)
+      check_part(p, rays_on_side(q, first, last, side), ends, side.length);
+    else
+      check_part(p, first, last, Point{q.x, -q.depth}, q.offset, side, ends);
+  }
+
+  // Positive if c is on the left of the ray of q through its point b, negative on the right.
+  static FT turn(const Piece& q, const Point& b, const Point& c)
+  {
+    if(q.is_linear)
+      return q.x * (c.y - b.y) - q.depth * (c.x - b.x);
+    return turn(Point{q.x, -q.depth}, b, c);
   }
 
   // Returns twice the signed area of the triangle abc: positive if c is on the left of the line from a to b.
   static FT turn(const Point& a, const Point& b, const Point& c)
   {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+  }
+
+  // The linear function that the rays of q, on the edge, have on an interval of the side.
+  static Piece rays_on_side(const Piece& q, const FT& first, const FT& last, const Side_line<FT>& side)
+  {
+    using std::abs;
+    return {first, last, q.x * side.unit.x + q.depth * side.unit.y,
+            FT(abs(q.depth * side.unit.x - q.x * side.unit.y)),
+            q.offset + (q.x * side.origin.x + q.depth * side.origin.y), true};
   }
 
   // Returns the abscissa in p where a linear function with these values at the ends is 0.
@@ -223,21 +252,27 @@ private:
   void check_part(const Piece& p, const FT& first, const FT& last, const Point& image, const FT& offset,
                   const Side_line<FT>& side, const Ends_of_side& ends)
   {
+    using std::abs;
+    check_part(p, {first, last, side.along(image), FT(abs(side.across(image))), offset}, ends, side.length);
+  }
+
+  // The same for a limit that is given on the interval of a side with this length.
+  void check_part(const Piece& p, const Piece& limit, const Ends_of_side& ends, const FT& length)
+  {
+    const FT &first = limit.begin, &last = limit.end;
     if(!(first <= last))
       return;
-    using std::abs;
-    const Piece limit = {first, last, side.along(image), FT(abs(side.across(image))), offset};
     if(is_greater_everywhere(limit, p, first, last))
     {
       m_worst.number_of_checks += 1;
       return;
     }
-    const std::array<FT, 2> turns = turning_points(p.x, p.depth, limit.x, limit.depth);
+    const std::array<FT, 2> turns = turning_points(p, limit);
     for(const FT& t : {first, last, turns[0], turns[1]})
       if(t >= first && t <= last)
       {
         const FT value = p.at(t);
-        record(value - limit.at(t), value, 2 * t < side.length ? ends.first : ends.second);
+        record(value - limit.at(t), value, 2 * t < length ? ends.first : ends.second);
       }
   }
 
@@ -270,14 +305,18 @@ Worst_violation<FT> prove_lower_bounds(const Chunks& chunks, Lower_bound_functio
   return merged(of_chunks, is_complete);
 }
 
-// The same for the function that the windows propose (the constructors above say what is given).
-template <typename FT, typename Chunks, typename GoOn>
-Worst_violation<FT> prove_lower_bounds(const Chunks& chunks, const Intrinsic_mesh<FT>& mesh,
-                                       const std::vector<FT>& distance, const std::vector<FT>& extents,
-                                       const Edge_window_field<FT>& windows, GoOn go_on)
+// Records the excess of a function that has been made over the offset on an edge of a curve, which must not be
+// positive. A violation is relative to the value.
+template <typename FT>
+void record_excess_on_edge(const Lower_bound_function<FT>& function, Halfedge_id h, const FT& offset,
+                           const std::vector<FT>& extents, Worst_violation<FT>& worst)
 {
-  Lower_bound_function<FT> function(mesh, distance, windows);
-  return prove_lower_bounds(chunks, function, extents, go_on);
+  std::vector<Distance_piece<FT>> pieces;
+  function.read(h, false, pieces);
+  const Vertex_id v = function.mesh().source(h);
+  for(const Distance_piece<FT>& p : pieces)
+    for(const FT& t : {p.begin, p.end})
+      worst.record(p.at(t) - offset, p.at(t), extents[v], v);
 }
 
 } // namespace internal

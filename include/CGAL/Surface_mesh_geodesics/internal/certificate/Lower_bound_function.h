@@ -11,16 +11,18 @@
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_CERTIFICATE_LOWER_BOUND_FUNCTION_H
 
 // The function on the edges that proves lower bounds of distances (Lower_bound_check.h). On each edge it consists of
-// pieces, each the distance from one image.
+// pieces, each the distance from one image, or linear.
 //
-// It is made of the windows that a propagation has kept: add_paths() collects the corners of a face and the windows on
-// its three sides, Edge_distance_function takes the minimum. The windows are only a proposal, and may be wrong.
+// It is made of the windows and strips that a propagation has kept: add_paths() collects the corners of a face, and the
+// windows and strips on its three sides, Edge_distance_function takes the minimum. They are only a proposal, and may be
+// wrong.
 
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Edge_distance_function.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/unfolding.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Edge_window_field.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/strips/Edge_strip_field.h>
 
 #include <CGAL/assertions.h>
 
@@ -85,12 +87,13 @@ public:
   using Mesh = Intrinsic_mesh<FT>;
   using Piece = Distance_piece<FT>;
 
-  // `distance` has the values at the vertices, infinity where no path is known, and `windows` the windows for the
-  // values between them. All are referred to, not copied.
-  // Requires: the intervals of the windows are parts of their edges. Nothing else about the windows is taken for
+  // `distance` has the values at the vertices, infinity where no path is known, `windows` the windows for the values
+  // between them, and `strips` those from curves; null if all sources are points. All are referred to, not copied.
+  // Requires: the intervals of windows and strips are parts of their edges. Nothing else about them is taken for
   // granted.
-  Lower_bound_function(const Mesh& mesh, const std::vector<FT>& distance, const Edge_window_field<FT>& windows)
-    : m_mesh(mesh), m_distance(distance), m_windows(windows)
+  Lower_bound_function(const Mesh& mesh, const std::vector<FT>& distance, const Edge_window_field<FT>& windows,
+                       const Edge_strip_field<FT>* strips = nullptr)
+    : m_mesh(mesh), m_distance(distance), m_windows(windows), m_strips(strips)
   {}
 
   const Mesh& mesh() const { return m_mesh; }
@@ -131,38 +134,54 @@ public:
       return;
     std::reverse(pieces.begin(), pieces.end());
     for(Piece& p : pieces)
-      p = backward(p, m_mesh.length(h));
+      p = p.backward(m_mesh.length(h));
+  }
+
+  // Returns the least value on the edge of h; infinity if nothing reaches it. The function need not have been made: it
+  // is made on this edge, with the given memory. Requires: the edge has a length.
+  FT least_value(Halfedge_id h, Edge_distance_function<FT>& function) const
+  {
+    make_function(m_mesh.is_first_of_edge(h) ? h : m_mesh.opposite(h), function);
+    FT least = std::numeric_limits<FT>::infinity();
+    for(const Piece& p : function.pieces())
+      least = (std::min)(least, p.at(p.nearest()));
+    return least;
   }
 
 private:
   using Point = Planar_point<FT>;
 
-
   // Makes u on one edge: the minimum over the paths that reach it through its two faces, in the direction of h.
   // `function` is reused memory, and `pieces` are those of the chunk. Requires: is_first_of_edge(h).
   void make_function(Halfedge_id h, Edge_distance_function<FT>& function, std::vector<Piece>& pieces)
   {
-    function.restart(m_mesh.length(h));
-    add_paths(h, false, function);
-    if(m_mesh.opposite(h) != null_id)
-      add_paths(m_mesh.opposite(h), true, function);
+    make_function(h, function);
     m_begin[dense_index(h)] = pieces.size();
     m_size[dense_index(h)] = function.pieces().size();
     pieces.insert(pieces.end(), function.pieces().begin(), function.pieces().end());
   }
 
-  // Adds the paths that reach the edge of h from its face: from a corner, and through a window on one of the three
-  // edges. (A window across h itself comes from the other face, but is known in the frame of h.) If `is_backward`, the
+  // The same without keeping the pieces.
+  void make_function(Halfedge_id h, Edge_distance_function<FT>& function) const
+  {
+    function.restart(m_mesh.length(h));
+    add_paths(h, false, function);
+    if(m_mesh.opposite(h) != null_id)
+      add_paths(m_mesh.opposite(h), true, function);
+  }
+
+  // Adds the paths that reach the edge of h from its face: from a corner, and through a window or a strip on one of the
+  // three edges. (One across h itself comes from the other face, but is known in the frame of h.) If `is_backward`, the
   // function runs against h.
   void add_paths(Halfedge_id h, bool is_backward, Edge_distance_function<FT>& function) const
   {
     const Face_frame<FT> c = m_mesh.face_frame(h);
     auto add = [&](const Piece& p)
-    { function.add(is_backward ? backward(p, c.length) : p); };
+    { function.add(is_backward ? p.backward(c.length) : p); };
     auto add_three = [&](const Piece& before, const Piece& p, const Piece& behind)
     {
       if(is_backward)
-        function.add(backward(p, c.length), backward(behind, c.length), backward(before, c.length));
+        function.add(p.backward(c.length), behind.backward(c.length), before.backward(c.length));
       else
         function.add(p, before, behind);
     };
@@ -173,10 +192,47 @@ private:
         add({FT(0), c.length, corner.second.x, corner.second.y, m_distance[corner.first]});
     m_windows.for_each_window(h, [&](const Kept_window<FT>& w)
     { add({w.begin, w.end, w.image_x, w.image_depth, m_distance[w.root]}); });
+    if(m_strips != nullptr)
+      m_strips->for_each_strip(h, [&](const Strip<FT>& s) { add(piece_of(s)); });
     if(c.right_length > 0)
-      add_windows_through(next_halfedge(h), right_side_line(c), c.length, add_three);
+      add_paths_through(next_halfedge(h), right_side_line(c), c.length, add_three);
     if(c.left_length > 0)
-      add_windows_through(previous_halfedge(h), reversed(left_side_line(c)), c.length, add_three);
+      add_paths_through(previous_halfedge(h), reversed(left_side_line(c)), c.length, add_three);
+  }
+
+  template <typename Add>
+  void add_paths_through(Halfedge_id g, const Side_line<FT>& side, const FT& length, Add add) const
+  {
+    add_windows_through(g, side, length, add);
+    if(m_strips != nullptr)
+      m_strips->for_each_strip(g, [&](const Strip<FT>& s) { add_strip_through(piece_of(s), side, length, add); });
+  }
+
+  // The proof relies on a direction of length 1, which is not taken for granted.
+  static Piece piece_of(const Strip<FT>& s)
+  {
+    const FT size = norm<FT>(s.direction_x, s.direction_y);
+    return {s.begin, s.end, s.direction_x / size, s.direction_y / size, s.distance, true};
+  }
+
+  // Does for the rays of a strip on the side what add_windows_through() does for those of a window.
+  template <typename Add>
+  static void add_strip_through(const Piece& rays, const Side_line<FT>& side, const FT& length, Add add)
+  {
+    // The face is on the left of the side, where the rays go.
+    const Point direction = {rays.x * side.unit.x - rays.depth * side.unit.y,
+                             rays.x * side.unit.y + rays.depth * side.unit.x};
+    // No ray leads down to the base if they do not fall.
+    if(!(direction.y < 0))
+      return;
+    const Point left = side.at(rays.end), right = side.at(rays.begin);
+    const auto seen_on_base = [&](const Point& p)
+    { return p.y > 0 ? FT(p.x - p.y * (direction.x / direction.y)) : p.x; };
+    const FT first = (std::max)(seen_on_base(left), FT(0)), last = (std::min)(seen_on_base(right), length);
+    add(Piece{FT(0), first, left.x, left.y, rays.at(rays.end)},
+        Piece{first, last, direction.x, -direction.y,
+              rays.offset - (direction.x * side.origin.x + direction.y * side.origin.y), true},
+        Piece{last, length, right.x, right.y, rays.at(rays.begin)});
   }
 
   // Adds the paths of the windows on another side of the face, the halfedge g, to the base, which has the given length.
@@ -219,15 +275,10 @@ private:
     return p.y < image.y ? FT(image.x + (p.x - image.x) * (image.y / (image.y - p.y))) : rising;
   }
 
-  // Returns the piece in the direction against an edge of this length.
-  static Piece backward(const Piece& p, const FT& length)
-  {
-    return {length - p.end, length - p.begin, length - p.x, p.depth, p.offset};
-  }
-
   const Mesh& m_mesh;
   const std::vector<FT>& m_distance;
   const Edge_window_field<FT>& m_windows;
+  const Edge_strip_field<FT>* m_strips;     // or null
   std::size_t m_chunk_size = 1;             // the number of faces of a chunk
   std::vector<std::vector<Piece>> m_pieces; // by chunk
   std::vector<std::size_t> m_begin, m_size; // of the pieces of an edge, by its first halfedge (dense_index)
