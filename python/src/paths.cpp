@@ -220,7 +220,7 @@ py::tuple trace(const Surface& surface, const Place_arrays& arrays, double direc
       ? geodesics::trace_geodesic_from_edge_lengths(surface.mesh(), interruptible(visitor, surface.lengths()),
                                                     range[0], direction, length)
       : geodesics::trace_geodesic(surface.mesh(), range[0], direction, length,
-                                  CGAL::parameters::vertex_point_map(points));
+                                  CGAL::parameters::faces_to_avoid(surface.avoided_faces()).vertex_point_map(points));
   };
   visitor.run([&]()
   {
@@ -236,7 +236,9 @@ py::tuple trace(const Surface& surface, const Place_arrays& arrays, double direc
 double direction_of(const Surface& surface, const Place_arrays& places, const std::array<double, 3>& vector)
 {
   return Places(surface.mesh(), places)
-    .visit([&](const auto& range) { return geodesics::geodesic_direction(surface.mesh(), range[0], vector); });
+    .visit([&](const auto& range)
+           { return geodesics::geodesic_direction(surface.mesh(), range[0], vector,
+                                                  CGAL::parameters::faces_to_avoid(surface.avoided_faces())); });
 }
 
 } // namespace

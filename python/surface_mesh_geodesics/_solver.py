@@ -83,8 +83,8 @@ class Solver:
         faces  ids of faces, in place of those that this solver avoids, or (m,) booleans
 
         Distances are inf where no way leads around. A source or a place inside of the avoided faces is an error; one at
-        their rim is not. Vertices and faces keep their numbers. `remesh()` leaves the faces out. `trace()` needs a
-        solver that avoids no faces. Surfaces without points cannot avoid any.
+        their rim is not. Vertices and faces keep their numbers. `remesh()` leaves the faces out. `trace()` ends there.
+        Surfaces without points cannot avoid any.
 
         >>> import surface_mesh_geodesics as smg
         >>> V = [[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0], [1, 1, 0]]
@@ -383,7 +383,7 @@ class Solver:
         length     in the unit of the points
 
         The geodesic is straight in each face and across edges; at a vertex it goes on with equal angles on both sides.
-        It ends at the border.
+        It ends at the border, and at faces that the solver avoids.
 
         >>> import surface_mesh_geodesics as smg
         >>> s = smg.Solver([[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0]], [[0, 1, 2], [0, 2, 3]])
@@ -391,8 +391,6 @@ class Solver:
         >>> t.length, t.end, t.points.round(12).tolist()
         (2.0, 'border', [[1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [1.0, 2.0, 0.0]])
         """
-        if len(self._avoided) > 0:
-            raise ValueError("trace() cannot lead around faces, but this solver avoids some")
         end = ("length", "border", "singularity")
         found = self._surface.trace(self._place("place", place), arguments.finite_of("direction", direction),
                                     arguments.finite_of("length", length, 0.0, "finite and not negative"))

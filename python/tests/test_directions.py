@@ -191,9 +191,14 @@ def test_applications_around_faces(tmp_path):
     assert sorted(points.tolist()) == sorted(expected.tolist()) and faces.max() < len(points)
 
 
-def test_traces_need_all_faces():
-    with pytest.raises(ValueError, match="cannot lead around faces"):
-        smg.Solver(V, F).avoiding([1]).trace(0, 0, 1)
+def test_traces_end_at_faces_to_avoid():
+    square = smg.Solver([[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0]], [[0, 1, 2], [0, 2, 3]])
+    start = (0, [0.25, 0.5, 0.25])  # at (1.5, 0.5)
+    whole, half = (s.trace(start, s.direction_of(start, [-1, 0, 0]), 9) for s in (square, square.avoiding([1])))
+    assert whole.end == half.end == "border"
+    assert whole.length == pytest.approx(1.5) and half.length == pytest.approx(1)
+    with pytest.raises(ValueError):
+        square.avoiding([0]).trace(start, 0, 1)
 
 
 def test_bad_faces_to_avoid():
