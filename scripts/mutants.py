@@ -114,6 +114,7 @@ BLOCK_TEAM = INTERNAL + "propagation/Block_team.h"
 BUILDER = INTERNAL + "surface/Intrinsic_mesh_builder.h"
 CHUNKS = INTERNAL + "propagation/Chunk_team.h"
 LOWER_BOUND = INTERNAL + "certificate/Lower_bound_check.h"
+FACE_PATHS = INTERNAL + "certificate/Face_paths.h"
 LOWER_FUNCTION = INTERNAL + "certificate/Lower_bound_function.h"
 EDGE_FUNCTION = INTERNAL + "certificate/Edge_distance_function.h"
 SAMPLE_PLACEMENT = INTERNAL + "applications/Sample_placement.h"
@@ -197,6 +198,7 @@ CERTIFICATE_CHECKS = "test_certificate_checks"
 CERTIFICATE_OF_STRIPS = "test_certificate_of_strips"
 CERTIFICATION = "test_certification_of_distances"
 CERTIFICATION_OF_CURVES = "test_certification_of_curves"
+CERTIFICATION_OF_CURVE_DIAGRAMS = "test_certification_of_diagrams_of_curves"
 MATRICES = "test_distance_matrix"
 DIAGRAM_CERTIFICATION = "test_certification_of_Voronoi_diagrams"
 ARC_PIECES = "test_arc_pieces"
@@ -461,8 +463,8 @@ MUTANTS = [
      "if(longest < smallest_component())", "if(longest < 0)",
      "lengths of a component that is too small underflow", (INVALID,)),
     ("farthest_instead_of_nearest_on_arcs", ARC_PIECE,
-     "visit_direction({FT(m_size * to_q.x - size * m_to_right.x), FT(m_size * to_q.y - size * m_to_right.y)}, visit);",
-     "visit_direction({FT(size * m_to_right.x - m_size * to_q.x), FT(size * m_to_right.y - m_size * to_q.y)}, visit);",
+     "visit_direction({FT(m_size * b.to_other.x - b.size * m_to_right.x),",
+     "visit_direction({FT(b.size * m_to_right.x - m_size * b.to_other.x),",
      "a site that is nearer between the ends of an arc is not seen", (ARC_PIECES,)),
     ("points_of_the_chord", ARC_PIECE,
      "const FT stretch = 1 - m_difference * excess * size_c / m_size;", "const FT stretch = 1 + 0 * excess;",
@@ -481,8 +483,8 @@ MUTANTS = [
      "owns_something[i] = 1;", "owns_something[i] = 0;",
      "the second of two equal sites may have the cell", (DIAGRAM_CERTIFICATION,)),
     ("sites_are_no_samples", DIAGRAM_SAMPLES,
-     "      if(m_diagram.site_curve(i) == nullptr && m_diagram.site(i).first != Graph_traits::null_face())\n        add_location(m_diagram.site(i));\n",
-     "      if(m_diagram.site_curve(i) != nullptr)\n        add_location(m_diagram.site(i));\n",
+     "      else if(m_diagram.site(i).first != Graph_traits::null_face())\n",
+     "      else if(false)\n",
      "a site whose cell has been overlooked is not looked at", (DIAGRAM_CERTIFICATION,)),
     ("missing_arcs", DIAGRAM_CERTIFICATE,
      "record(DIAGRAM_BOUNDARIES, n == 1 ? 0 : infinity(), no_site());", "record(DIAGRAM_BOUNDARIES, n < 0 ? 1 : 0, no_site());",
@@ -836,6 +838,19 @@ MUTANTS = [
     ("reverse_to_corners_only", DISTANCE_CERTIFICATE,
      "FT(function.least_value(h, on_edge) + offset)", "FT(to_edges + function.least_value(h, on_edge) + offset)",
      "in reverse, the nearest point of a curve is a corner", (CERTIFICATION_OF_CURVES,)),
+    ("parabola_from_the_wrong_side", ARC_PIECE,
+     "return {FT(1), {FT(-q.x), FT(-q.y)},", "return {FT(1), {q.x, q.y},",
+     "arcs between a point and a segment are compared in the wrong places", (ARC_PIECES,)),
+    ("rays_into_face_by_image", FACE_PATHS,
+     "return x - y * (m_piece.x / m_piece.depth);", "return x + y * (m_piece.x / m_piece.depth);",
+     "points of a face are on the wrong rays", (CERTIFICATION_OF_CURVE_DIAGRAMS,)),
+    ("curves_are_no_samples", DIAGRAM_SAMPLES,
+     "        add_points_of_curve(*m_diagram.site_curve(i));\n", "        static_cast<void>(i);\n",
+     "a curve whose cell has been overlooked is not looked at", (CERTIFICATION_OF_CURVE_DIAGRAMS,)),
+    ("strips_no_paths_into_faces", FACE_PATHS,
+     "      { add(Family(piece_of_strip(s), frame, m_size), k, site_of_strip(s)); });",
+     "      { static_cast<void>(site_of_strip(s)); });",
+     "paths from inside of segments are not known", (CERTIFICATION_OF_CURVE_DIAGRAMS,)),
     ("corner_in_front_of_flat_face", NORMALS,
      "if(c.apex_y <= Tolerance<FT>::closeness() * c.length && c.apex_x > 0 && c.apex_rest > 0)", "if(false)",
      "a corner of a curve that lies on an edge emits nothing across it", (HOSTILE_CURVES,)),

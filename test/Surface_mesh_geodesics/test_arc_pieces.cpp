@@ -180,10 +180,55 @@ void end_at_the_image()
   CHECK(number > 0);
 }
 
+// Pieces of parabolas, between a point and parallel rays: the points that are visited for a third image, near or at
+// infinity, lie on the piece. If the third image is nearer anywhere, it is so at one of them or at an end.
+void parabolas_are_compared_with_third_images()
+{
+  test_support::Random random(7);
+  std::size_t number_between_ends = 0;
+  const auto direction = [](double t) { return Point{std::cos(t), std::sin(t)}; };
+  for(int i = 0; i < 12000; ++i)
+  {
+    const Image focus{random.uniform(-1., 1.), random.uniform(-1., 1.), random.uniform(0., 1.)};
+    const Point n = direction(random.uniform(0., 6.28));
+    // The value of the linear function at the focus, less the weight, is A.
+    const double size = random.uniform(.1, 1.);
+    const Image rays{n.x, n.y, focus.weight + size - (n.x * focus.x + n.y * focus.y), 1.};
+    const double first = std::atan2(n.y, n.x) + random.uniform(.5, 2.5), last = first + random.uniform(.2, 2.8);
+    const auto point = [&](double t)
+    {
+      const Point e = direction(t);
+      const double r = size / (1 - n.x * e.x - n.y * e.y);
+      return Point{focus.x + r * e.x, focus.y + r * e.y};
+    };
+    const Piece piece = i % 2 == 0 ? Piece(point(first), point(last), focus, rays, false)
+                                   : Piece(point(first), point(last), rays, focus, false);
+    const Point middle = point((first + last) / 2), m = direction(random.uniform(0., 6.28));
+    const double value = piece.value(middle) + random.uniform(-.05, .05);
+    const Point other{random.uniform(-2., 2.), random.uniform(-2., 2.)};
+    const Image third = i % 3 == 0
+                          ? Image{m.x, m.y, value - (m.x * middle.x + m.y * middle.y), 1.}
+                          : Image{other.x, other.y, value - std::hypot(other.x - middle.x, other.y - middle.y)};
+    const auto excess = [&](const Point& p) { return third.weight + third.way_to(p) - piece.value(p); };
+    double at_ends = (std::min)(excess(point(first)), excess(point(last))), visited = at_ends, sampled = at_ends;
+    piece.for_each_extremum(third, [&](const Point& p)
+    {
+      CHECK(piece.difference(p) < 1e-12);
+      visited = (std::min)(visited, excess(p));
+    });
+    for(int k = 0; k <= 200; ++k)
+      sampled = (std::min)(sampled, excess(point(first + (last - first) * k / 200)));
+    CHECK(!(sampled < -1e-12) || visited < 0);
+    number_between_ends += sampled < -1e-12 && !(at_ends < 0) ? 1 : 0;
+  }
+  CHECK(number_between_ends > 10);
+}
+
 } // namespace
 
 int main()
 {
+  parabolas_are_compared_with_third_images();
   const std::uint64_t seed = test_support::announce_seed(20261126);
   random_pieces(seed, false);
   random_pieces(seed + 1, true);

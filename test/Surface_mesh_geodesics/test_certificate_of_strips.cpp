@@ -10,10 +10,13 @@
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Chunk_team.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Component_extents.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
+#include <functional>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 using namespace curve_cases;
@@ -97,6 +100,77 @@ struct Witness
   SMGI::Edge_window_field<double> windows;
   std::vector<double> extents;
 };
+
+// The violation of the condition between samples of points on different sides of each face: a lower bound of that
+// between all points.
+double sampled_violation(const Witness& witness, const Strips& strips)
+{
+  constexpr int n = 48;
+  const auto& mesh = witness.surface.mesh();
+  Function function(mesh, witness.field.distance, witness.windows, &strips);
+  function.make(SMGI::Chunk_team<SMGI::Calling_thread>(), [] { return true; });
+  double worst = 0;
+  std::vector<SMGI::Distance_piece<double>> pieces;
+  for(SMGI::Face_id f = 0; f < mesh.number_of_faces(); ++f)
+  {
+    const auto& face = mesh.face(f);
+    const auto corner = SMGI::layout_of_face(face);
+    struct Sample
+    {
+      unsigned int side;
+      double x, y, value;
+    };
+    std::vector<Sample> samples;
+    for(unsigned int k = 0; k < 3; ++k)
+    {
+      function.read(SMGI::halfedge_of(f, k), false, pieces);
+      const auto &a = corner[k], &b = corner[(k + 1) % 3];
+      std::size_t i = 0;
+      for(int j = 0; j <= n && !pieces.empty(); ++j)
+      {
+        const double t = face.length[k] * j / n;
+        while(i + 1 < pieces.size() && pieces[i].end < t)
+          ++i;
+        samples.push_back({k, a.x + (b.x - a.x) * j / n, a.y + (b.y - a.y) * j / n, pieces[i].at(t)});
+      }
+    }
+    for(const Sample& p : samples)
+      for(const Sample& q : samples)
+        if(p.side != q.side)
+          worst = (std::max)(worst, (p.value - q.value - std::hypot(p.x - q.x, p.y - q.y))
+                                      / (p.value + SMGI::longest_side(face)));
+  }
+  return worst;
+}
+
+// Nothing is left of the strips but those of the curves themselves, or those on every other halfedge.
+void violations_between_samples_are_found(const Indexed_mesh& indexed)
+{
+  const test_support::Scope scope(indexed.name + ", samples");
+  test_support::Random random(5);
+  const Mesh tm = to_face_graph(indexed);
+  const Witness witness(tm, {Curve(tm, random_locations(tm, 5, random))});
+  std::size_t number_of_large = 0;
+  const auto check = [&](const std::function<bool(SMGI::Halfedge_id, const SMGI::Strip<double>&)>& is_left)
+  {
+    Strips strips;
+    strips.reset(witness.surface.mesh().number_of_faces());
+    for(SMGI::Face_id f = 0; f < witness.surface.mesh().number_of_faces(); ++f)
+      for(unsigned int k = 0; k < 3; ++k)
+        witness.arrivals.strips.for_each_strip(SMGI::halfedge_of(f, k), [&](const SMGI::Strip<double>& s)
+        {
+          if(is_left(SMGI::halfedge_of(f, k), s))
+            strips.keep(SMGI::halfedge_of(f, k), s);
+        });
+    const double expected = sampled_violation(witness, strips), found = witness.violation(&strips);
+    CHECK(found >= expected - 1e-14 && found <= 1.1 * expected + 1e-14);
+    number_of_large += expected > 1e-2 ? 1 : 0;
+  };
+  check([](SMGI::Halfedge_id, const SMGI::Strip<double>& s) { return s.faces_crossed == 0; });
+  check([](SMGI::Halfedge_id, const SMGI::Strip<double>& s) { return s.faces_crossed <= 1; });
+  check([](SMGI::Halfedge_id h, const SMGI::Strip<double>&) { return h % 2 == 0; });
+  CHECK(number_of_large > 0);
+}
 
 void wrong_strips_are_found(const Indexed_mesh& indexed)
 {
@@ -224,6 +298,8 @@ void functions_are_minima()
 int main()
 {
   functions_are_minima();
+  violations_between_samples_are_found(saddle_patch(4));
+  violations_between_samples_are_found(icosphere(1));
   wrong_strips_are_found(saddle_patch(4));
   wrong_strips_are_found(icosphere(1));
   distances_from_ends_are_no_bounds();

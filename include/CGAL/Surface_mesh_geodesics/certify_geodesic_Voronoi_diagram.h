@@ -56,9 +56,9 @@ those on one side, and paths know the least one.
 
 \ref Surface_mesh_geodesics_certification says what this proves.
 
-If there are curves among the sites, or walls, nothing is proved: samples are compared with distances that are computed
-from one site at a time, and `DISTANCES` and `CURVES` are not checked (their numbers of checks are 0). The time is then
-that of a propagation for each site.
+If there are walls, nothing is proved: samples are compared with distances that are computed from one site at a time,
+and `DISTANCES` and `CURVES` are not checked (their numbers of checks are 0). The time is then that of a propagation for
+each site.
 
 <b>Complexity.</b> Time and memory are those of `certify_geodesic_distances()` with all sites as sources and without
 computations in reverse, and time linear in the number of points and arcs, times that of the windows of a face. They do

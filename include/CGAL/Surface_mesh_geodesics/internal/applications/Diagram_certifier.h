@@ -93,9 +93,9 @@ public:
 
   // Checks all conditions. `make_witness()` returns a pointer to a new witness, `make_paths()` one to a new object of
   // shortest paths without source points; both use the lengths of the diagram. The loops of the proof are those of
-  // `chunks` (Chunk_team.h). The comparisons run in the calling thread. A witness knows points as sites only, and no
-  // walls: with a curve among the sites, or between walls, samples are compared with distances from each site, and
-  // nothing is proved. A diagram without sites has nothing to check. The call may be repeated, with the same result.
+  // `chunks` (Chunk_team.h). The comparisons run in the calling thread. A witness knows no walls: between walls,
+  // samples are compared with distances from each site, and nothing is proved. A diagram without sites has nothing to
+  // check. The call may be repeated, with the same result.
   template <typename MakeWitness, typename MakePaths, typename Chunks>
   Diagram_violations run(MakeWitness make_witness, MakePaths make_paths, const Chunks& chunks)
   {
@@ -103,7 +103,7 @@ public:
     find_components();
     if(m_diagram.number_of_sites() == 0)
       return m_violations;
-    if(has_curves() || has_walls())
+    if(has_walls())
       check_distances(make_paths);
     else
     {
@@ -138,16 +138,6 @@ public:
 private:
   static constexpr std::size_t no_site() { return Diagram_violation::no_site(); }
   static double infinity() { return std::numeric_limits<double>::infinity(); }
-
-  // A curve has strips of rays, not images: neither the lower bound nor the bisectors of the witness know them. So
-  // diagrams with curves go without a proof.
-  bool has_curves() const
-  {
-    for(std::size_t i = 0; i < m_diagram.number_of_sites(); ++i)
-      if(m_diagram.site_curve(i) != nullptr)
-        return true;
-    return false;
-  }
 
   // Edges at the border are no walls, whatever the user says: nothing changes there.
   bool has_walls() const
@@ -208,7 +198,7 @@ private:
   // is infinite there.
   static double relative(double excess, double scale) { return excess == 0 ? 0. : excess / scale; }
 
-  // --- distances from one site at a time, where there are curves among the sites, or walls ---
+  // --- distances from one site at a time, where there are walls ---
 
   // Compares all samples with the distances from each site. One site after the other, as the windows of a propagation
   // take far more memory than the samples. Takes the time of a propagation for each site.

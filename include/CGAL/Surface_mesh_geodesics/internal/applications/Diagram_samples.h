@@ -12,7 +12,7 @@
 
 // The points of the surface at which the certifier compares a geodesic Voronoi diagram with distances from each site,
 // and what the diagram says of them: points of arcs, vertices of the diagram, vertices of the mesh, points of all
-// faces, and the sites.
+// faces, and the sites: of curves, the ends and the middle of each segment.
 //
 // A point of a wall has a distance on each of its sides, and queries tell the least one. The diagram says the same of
 // vertices of the mesh. An arc is on one side, so its points on walls are left out. Both of its ends may be such
@@ -87,7 +87,9 @@ public:
       if(!m_diagram.avoids_face(f))
         add_points_of_face(f);
     for(std::size_t i = 0; i < m_diagram.number_of_sites(); ++i)
-      if(m_diagram.site_curve(i) == nullptr && m_diagram.site(i).first != Graph_traits::null_face())
+      if(m_diagram.site_curve(i) != nullptr)
+        add_points_of_curve(*m_diagram.site_curve(i));
+      else if(m_diagram.site(i).first != Graph_traits::null_face())
         add_location(m_diagram.site(i));
   }
 
@@ -126,6 +128,22 @@ private:
       const Face_location l(f, typename Diagram::Barycentric_coordinates{FT(1 - p[0] - p[1]), FT(p[0]), FT(p[1])});
       add_location(l);
     }
+  }
+
+  // A curve of one vertex has no segments; the vertex is a sample already. The ends and the middle of each segment tell
+  // whether the cell of a curve has been overlooked: along a segment, another cell begins where an arc crosses it only.
+  template <typename Curve>
+  void add_points_of_curve(const Curve& curve)
+  {
+    for(std::size_t s = 0; s < curve.segments().size(); ++s)
+      for(const double t : {0., 0.5, 1.})
+      {
+        const auto l = curve.location(s, t);
+        const Face_location location(l.first, typename Diagram::Barycentric_coordinates{
+                                                FT(l.second[0]), FT(l.second[1]), FT(l.second[2])});
+        if(!m_diagram.avoids_face(l.first) && !is_on_wall(location))
+          add_location(location);
+      }
   }
 
   // Adds a location, with the one site that the diagram names for it.

@@ -10,10 +10,10 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_SITE_WITNESS_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_SITE_WITNESS_H
 
-// What the certifier of diagrams knows of distances by itself. The mesh is read again, with all sites as vertices. One
-// propagation from all sites, with what each weight lacks to the largest one as the offset, gives paths and proposes a
-// function on the edges; prove() checks both as the certificate of distances does. Then the function is a lower bound
-// of the distance of each point from the nearest site, less its weight.
+// What the certifier of diagrams knows of distances by itself. The mesh is read again, with all sites as vertices, and
+// curves as edges. One propagation from all sites, with what each weight lacks to the largest one as the offset, gives
+// paths and proposes a function on the edges; prove() checks both as the certificate of distances does. Then the
+// function is a lower bound of the distance of each point from the nearest site, less its weight.
 //
 // Paths from a site that is not the nearest one anywhere around a point, and of two that tie, may be missing.
 // run_from() propagates from one site alone.
@@ -21,7 +21,13 @@
 // Who proposes, and who judges: the propagations propose paths by their windows, and the function. Distance_checks
 // measures the paths to the vertices and compares their lengths with what the diagram states; Lower_bound_check
 // verifies the function. Paths to other points are not measured again: they are the straight pieces behind windows,
-// from vertices whose paths are.
+// from vertices whose paths are, and the rays of strips.
+//
+// With curves, the witness knows of ties what Source_curves says: a vertex or an edge of several curves belongs to one
+// of them. A run from one curve starts at the edges that belong to it. These are a part of the curve, so that its paths
+// are right, but may be longer than others from the same curve. Then a right diagram may be refused, and never a wrong
+// one accepted. It does not happen in general: points that are nearest to an edge of two curves belong to the one that
+// the edge belongs to, in the diagram as well.
 //
 // Faces that the diagram avoids are left out when the mesh is read. There are no walls: diagrams with walls
 // go without a witness (Diagram_certifier::run()).
@@ -30,6 +36,7 @@
 // user_distance() has the distance of the user, less the weight.
 
 #include <CGAL/Surface_mesh_geodesics/internal/applications/Diagram_conditions.h>
+#include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Distance_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Face_paths.h>
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Lower_bound_check.h>
@@ -40,13 +47,17 @@
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/One_block.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/curves/Path_run_from_curves.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Face_parts.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Location_in_part.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/curves/Source_curves.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/equal_sources.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Edge_window_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/strips/Curve_arrivals.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/strips/Strip.h>
 
 #include <CGAL/number_utils.h>
 
@@ -57,6 +68,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -95,7 +107,7 @@ public:
   template <typename Shape>
   Site_witness(const Diagram& diagram, VertexIndexMap vim, FaceIndexMap fim, Shape shape)
     : m_diagram(diagram), m_surface(diagram.triangle_mesh(), vim, fim),
-      m_function(m_surface.mesh(), m_field.distance, m_windows)
+      m_function(m_surface.mesh(), m_field.distance, m_windows, &m_curves.strips)
   {
     const auto avoids = boost::make_function_property_map<face_descriptor, bool>(
       [&](face_descriptor f) { return diagram.avoids_face(f); });
@@ -107,10 +119,13 @@ public:
     for(std::size_t i = 0; i < diagram.number_of_sites(); ++i)
       if(diagram.site(i).first != Graph_traits::null_face())
       {
-        m_surface.add_source(diagram.site(i), offset(i), "site");
+        if(diagram.site_curve(i) != nullptr)
+          m_surface.add_source_curve(*diagram.site_curve(i), offset(i), "site");
+        else
+          m_surface.add_source(diagram.site(i), offset(i), "site");
         m_site_of_source.push_back(i);
       }
-    m_surface.insert_sources();
+    insert_sources();
   }
 
   const Intrinsic_mesh<double>& mesh() const { return m_surface.mesh(); }
@@ -157,26 +172,32 @@ public:
   template <typename Chunks>
   void prove(const Chunks& chunks, Diagram_violation& result)
   {
-    propagate(m_field, m_windows, [](std::size_t) { return true; });
+    propagate(m_field, m_windows, m_curves, [](std::size_t) { return true; });
     find_ties();
     find_sites_of_vertices();
     const double infinity = std::numeric_limits<double>::infinity();
     const auto go_on = [] { return true; };
     Distance_checks<double> checks(mesh(), stated_distances());
-    const auto& sources = m_surface.sources();
     Worst_violation<double> at_sources;
-    for(std::size_t k = 0; k < sources.size(); ++k)
+    for(const auto& s : m_vertices)
     {
-      const Vertex_id v = sources.vertices[k];
-      checks.add_source(v, sources.offset(k));
-      at_sources.record(m_field.distance[v] - sources.offset(k), m_field.distance[v], checks.extents()[v], v);
+      const Vertex_id v = s.first;
+      checks.add_source(v, s.second);
+      at_sources.record(m_field.distance[v] - s.second, m_field.distance[v], checks.extents()[v], v);
     }
+    for_each_source_edge([&](Halfedge_id h, double offset_of_edge) { checks.add_source_edge(h, offset_of_edge); });
+    const Curve_arrivals<double>* const curves = has_curves() ? &m_curves : nullptr;
     for(const Worst_violation<double>& w :
         {checks.check_reach(infinity), checks.check_sources(infinity), checks.check_edges(infinity),
-         checks.check_pairs_of_faces(infinity), checks.check_paths(chunks, m_field, infinity, go_on),
+         checks.check_pairs_of_faces(infinity), checks.check_paths(chunks, m_field, infinity, go_on, curves),
          checks.check_lower_bounds(m_field.distance, infinity), at_sources,
          prove_lower_bounds(chunks, m_function, checks.extents(), go_on)})
       add(w, result);
+    // The function has been made; what it proves needs its values on the curves, between their vertices as well.
+    Worst_violation<double> on_edges;
+    for_each_source_edge([&](Halfedge_id h, double offset_of_edge)
+    { record_excess_on_edge(m_function, h, offset_of_edge, checks.extents(), on_edges); });
+    add(on_edges, result);
   }
 
   // --- paths, once they are proved ---
@@ -192,7 +213,9 @@ public:
   // Reads the paths into a face: those that have been found, and those of the function that is a lower bound.
   void read_paths(Face_id f, Paths& paths) const
   {
-    paths.start_windows(mesh(), m_field, m_windows, [this](Vertex_id v) { return m_site_of_vertex[v]; }, f);
+    paths.start_windows(
+      mesh(), m_field, m_windows, m_curves.strips, [this](Vertex_id v) { return m_site_of_vertex[v]; },
+      [this](const Strip<double>& s) { return m_site_of_source[m_curves.edge_of_side(s.side).curve]; }, f);
   }
   void read_bound(Face_id f, Paths& paths) const { paths.start_function(m_function, f); }
 
@@ -200,21 +223,37 @@ public:
   void run_from(std::size_t i)
   {
     m_runs_from = i;
-    propagate(m_field_of_one, m_windows_of_one, [&](std::size_t k) { return m_site_of_source[k] == i; });
+    const auto is_wanted = [&](std::size_t k) { return m_site_of_source[k] == i; };
+    if(has_curves())
+      m_curves_of_one.set_curves(part_of_curves(is_wanted));
+    propagate(m_field_of_one, m_windows_of_one, m_curves_of_one, is_wanted);
   }
 
   void read_paths_from_one(Face_id f, Paths& paths) const
   {
-    paths.start_windows(mesh(), m_field_of_one, m_windows_of_one, [this](Vertex_id) { return m_runs_from; }, f);
+    paths.start_windows(
+      mesh(), m_field_of_one, m_windows_of_one, m_curves_of_one.strips, [this](Vertex_id) { return m_runs_from; },
+      [this](const Strip<double>&) { return m_runs_from; }, f);
   }
 
   // Calls visit(i, j, is_decided) for each site i that ties with a site j, which has its cell by the rule for ties
   // (equal_sources.h): of several sites at one vertex the first one with the largest weight, and of several within
   // rounding the first one. If another site is nearer to j by the least difference, j itself has no cell; so the tie is
-  // not decided, and one of the two has no cell (Vertex_owners.h).
+  // not decided, and one of the two has no cell (Vertex_owners.h). With curves, these are the sites to which no vertex
+  // belongs; j is another site then, and it is decided.
   template <typename Visit>
   void for_each_tie(Visit visit) const
   {
+    if(has_curves())
+    {
+      std::vector<char> has_vertex(m_site_of_source.size(), 0);
+      for(const Source_vertex<double>& v : m_curves.curves.vertices)
+        has_vertex[v.point.curve] = 1;
+      for(std::size_t k = 0; k < has_vertex.size(); ++k)
+        if(has_vertex[k] == 0 && !has_edge(k))
+          visit(m_site_of_source[k], m_site_of_source[k], true);
+      return;
+    }
     const auto& sources = m_surface.sources();
     for(std::size_t k = 0; k < sources.size(); ++k)
     {
@@ -278,14 +317,92 @@ private:
     return result;
   }
 
-  // Propagates from the sources k with is_wanted(k), and keeps the windows. Offsets are those of all sites, so that
-  // distances from one site compare with those from all of them.
+  // --- curves ---
+
+  // Is there a curve among the sites? Then points are curves without length, and all sites are numbered by curves.
+  bool has_curves() const { return m_curve_run != nullptr; }
+
+  // Makes vertices of all sites, and edges of curves.
+  void insert_sources()
+  {
+    if(!m_surface.has_curves())
+    {
+      m_surface.insert_sources();
+      const auto& sources = m_surface.sources();
+      for(std::size_t k = 0; k < sources.size(); ++k)
+        m_vertices.emplace_back(sources.vertices[k], sources.offset(k));
+      return;
+    }
+    m_curve_run.reset(new Strip_path_run<double>());
+    m_surface.insert_curves([&](const auto& curves, Source_insertion<double>& insertion)
+    { m_curve_run->insert(mesh(), insertion, curves, m_curves); });
+    for(const Source_vertex<double>& v : m_curves.curves.vertices)
+      m_vertices.emplace_back(v.vertex, v.offset);
+  }
+
+  // Calls visit(halfedge, offset) for each edge that is a part of a curve and has a length.
+  template <typename Visit>
+  void for_each_source_edge(Visit visit) const
+  {
+    for(const Source_edge<double>& e : m_curves.curves.edges)
+      if(e.length > 0)
+        visit(e.left != null_id ? e.left : e.right, e.offset);
+  }
+
+  // Does an edge belong to source k? A curve whose vertices all belong to others may still have an edge of its own.
+  // Linear in the number of edges; few sources have no vertex.
+  bool has_edge(std::size_t k) const
+  {
+    return std::any_of(m_curves.curves.edges.begin(), m_curves.curves.edges.end(),
+                       [&](const Source_edge<double>& e) { return e.curve == k; });
+  }
+
+  // The edges and the vertices that belong to the wanted sources. Ends of an edge may belong to others; then they count
+  // as points of the edge.
   template <typename IsWanted>
-  void propagate(Field& field, Windows& windows, IsWanted is_wanted)
+  Source_curves<double> part_of_curves(IsWanted is_wanted) const
+  {
+    Source_curves<double> result;
+    for(const Source_vertex<double>& v : m_curves.curves.vertices)
+      if(is_wanted(v.point.curve))
+        result.vertices.push_back(v);
+    for(const Source_edge<double>& e : m_curves.curves.edges)
+      if(is_wanted(e.curve))
+      {
+        result.edges.push_back(e);
+        result.vertices.push_back({e.first, e.offset, {e.curve, e.segment, e.first_parameter}});
+        result.vertices.push_back({e.last, e.offset, {e.curve, e.segment, e.last_parameter}});
+      }
+    // Vertices that belong to the source come first, so that these copies are kept: they name the point of the curve.
+    const auto by_vertex = [](const Source_vertex<double>& a, const Source_vertex<double>& b)
+    { return a.vertex < b.vertex; };
+    std::stable_sort(result.vertices.begin(), result.vertices.end(), by_vertex);
+    result.vertices.erase(std::unique(result.vertices.begin(), result.vertices.end(),
+                                      [](const Source_vertex<double>& a, const Source_vertex<double>& b)
+                                      { return a.vertex == b.vertex; }),
+                          result.vertices.end());
+    return result;
+  }
+
+  // --- runs ---
+
+  // Propagates from the sources k with is_wanted(k), and keeps the windows. Offsets are those of all sites, so that
+  // distances from one site compare with those from all of them. With curves, `curves` has the wanted sources already,
+  // and gets the strips.
+  template <typename IsWanted>
+  void propagate(Field& field, Windows& windows, Curve_arrivals<double>& curves, IsWanted is_wanted)
   {
     const auto& sources = m_surface.sources();
     windows.reset(mesh().number_of_faces());
     field.keeps_images = true;
+    // Points and curves start in one run. Feet are written again in each run: they are those of the last one.
+    if(has_curves())
+    {
+      Propagation_statistics statistics;
+      m_curve_run->run(mesh(), field, Window_keeper<double>(windows), curves, false,
+                       [](std::size_t, double) { return true; }, statistics);
+      return;
+    }
     Distance_propagation<double, All_pruning_rules, Window_keeper<double>> propagation(mesh(), field,
                                                                                       Window_keeper<double>(windows));
     for(std::size_t k = 0; k < sources.size(); ++k)
@@ -296,6 +413,8 @@ private:
 
   void find_ties()
   {
+    if(has_curves())
+      return;
     const auto& sources = m_surface.sources();
     std::vector<double> offsets;
     for(std::size_t k = 0; k < sources.size(); ++k)
@@ -309,13 +428,15 @@ private:
   // with. The paths of both are equally long up to rounding, and the diagram names one of them only.
   std::size_t owner(Vertex_id source) const
   {
+    if(has_curves())
+      return m_site_of_source[m_curves.point_of(m_field, source).curve];
     const auto it = m_receiver.find(source);
     const bool is_given = it != m_receiver.end() && m_field.is_source(it->second);
     return m_site_of_source[m_surface.source_at(is_given ? it->second : source)];
   }
 
   // Finds the site of each vertex of the refined mesh that is reached, from that of its root. Takes linear time: each
-  // chain of roots ends where a chain before it has been.
+  // chain of roots ends where a chain before it has been. (A vertex that a strip has reached is its own root.)
   void find_sites_of_vertices()
   {
     m_site_of_vertex.assign(mesh().number_of_vertices(), no_site());
@@ -323,7 +444,8 @@ private:
     for(const Vertex_id reached : m_field.reached)
     {
       Vertex_id v = reached;
-      for(; m_site_of_vertex[v] == no_site() && !m_field.is_source(v); v = m_field.arrival[v].root)
+      for(; m_site_of_vertex[v] == no_site() && !m_field.is_source(v) && m_field.arrival[v].root != v;
+          v = m_field.arrival[v].root)
         chain.push_back(v);
       if(m_site_of_vertex[v] == no_site())
         m_site_of_vertex[v] = owner(v);
@@ -354,7 +476,8 @@ private:
     result.number_of_checks = before + w.number_of_checks;
   }
 
-  // The function refers to the mesh of the surface, and to the field and the windows of the run from all sites.
+  // The function refers to the mesh of the surface, and to the field, the windows and the strips of the run from all
+  // sites.
   const Diagram& m_diagram;
   Surface m_surface;
   double m_largest_weight = 0;
@@ -362,6 +485,9 @@ private:
   std::unordered_map<Vertex_id, Vertex_id> m_receiver; // of the cell of a source that ties with another one
   Field m_field, m_field_of_one;             // of the runs from all sites, and from one
   Windows m_windows, m_windows_of_one;
+  Curve_arrivals<double> m_curves, m_curves_of_one; // with curves, all sites are curves: points are some without length
+  std::unique_ptr<Path_run_from_curves<double>> m_curve_run; // set if there are curves
+  std::vector<std::pair<Vertex_id, double>> m_vertices;      // at which sites are, with offsets
   std::size_t m_runs_from = 0;               // the site of the run from one
   std::vector<std::size_t> m_site_of_vertex; // of the refined mesh
   Lower_bound_function<double> m_function;

@@ -24,6 +24,11 @@
 // between its ends, where e is opposite to A n - m' d. So nothing has to be searched for.
 //
 // Directions from F are less than half a turn apart on a piece: it is in a face, and F is not inside.
+//
+// All of this holds for an image at infinity in place of the right one, and of Q, with the value of its linear function
+// at F, less the weight of F, for A, with 1 for s, and with the vector against its rays for d (Weighted_bisector.h):
+// the bisector is a parabola then. If the left image is at infinity, F is the right one; if both are, the piece is a
+// segment.
 
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Edge_distance_function.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Weighted_bisector.h>
@@ -52,12 +57,18 @@ public:
   using Image = Additively_weighted_point<FT>;
 
   Arc_piece(const Point& first, const Point& last, const Image& left, const Image& right, bool is_segment)
-    : m_first(first), m_last(last), m_left(left), m_right(right), m_difference(left.weight - right.weight),
-      m_to_right{FT(right.x - left.x), FT(right.y - left.y)},
-      m_size(half_of_squares(m_to_right, m_difference)), m_is_segment(is_segment || !(m_size > 0))
+    : m_first(first), m_last(last), m_left(left), m_right(right), m_focus(left.is_at_infinity() ? right : left),
+      m_is_segment(is_segment || m_focus.is_at_infinity())
   {
-    m_to_first = {FT(first.x - left.x), FT(first.y - left.y)};
-    m_to_last = {FT(last.x - left.x), FT(last.y - left.y)};
+    if(m_is_segment)
+      return;
+    const Bisector b = bisector_with(left.is_at_infinity() ? left : right);
+    m_difference = b.difference;
+    m_to_right = b.to_other;
+    m_size = b.size;
+    m_is_segment = !(m_size > 0);
+    m_to_first = {FT(first.x - m_focus.x), FT(first.y - m_focus.y)};
+    m_to_last = {FT(last.x - m_focus.x), FT(last.y - m_focus.y)};
   }
 
   const Point& first() const { return m_first; }
@@ -84,9 +95,9 @@ public:
       visit_turning_points(m_right, q, visit);
       return;
     }
-    const Point to_q = {FT(q.x - m_left.x), FT(q.y - m_left.y)};
-    const FT size = half_of_squares(to_q, FT(m_left.weight - q.weight));
-    visit_direction({FT(m_size * to_q.x - size * m_to_right.x), FT(m_size * to_q.y - size * m_to_right.y)}, visit);
+    const Bisector b = bisector_with(q);
+    visit_direction({FT(m_size * b.to_other.x - b.size * m_to_right.x),
+                     FT(m_size * b.to_other.y - b.size * m_to_right.y)}, visit);
   }
 
   // The points where the distances from the two images of the piece may differ most: none on the bisector, where they
@@ -111,7 +122,7 @@ public:
         visit(point_of_segment(at_first / (at_first - at_last)));
       return;
     }
-    const FT m = n.x * (a.x - m_left.x) + n.y * (a.y - m_left.y);
+    const FT m = n.x * (a.x - m_focus.x) + n.y * (a.y - m_focus.y);
     const Point w = {FT(n.x * m_size - m * m_to_right.x), FT(n.y * m_size - m * m_to_right.y)};
     const FT k = m * m_difference, square = w.x * w.x + w.y * w.y, root_of = square - k * k;
     if(!(root_of >= 0))
@@ -129,11 +140,28 @@ public:
     if(m_is_segment)
       return;
     const Point n = {FT(a.y - b.y), FT(b.x - a.x)};
-    const FT m = n.x * (a.x - m_left.x) + n.y * (a.y - m_left.y);
+    const FT m = n.x * (a.x - m_focus.x) + n.y * (a.y - m_focus.y);
     visit_direction({FT(m * m_to_right.x - n.x * m_size), FT(m * m_to_right.y - n.y * m_size)}, visit);
   }
 
 private:
+  // The bisector of F and another image: s, d and A.
+  struct Bisector
+  {
+    FT difference;
+    Point to_other;
+    FT size;
+  };
+
+  Bisector bisector_with(const Image& q) const
+  {
+    if(q.is_at_infinity())
+      return {FT(1), {FT(-q.x), FT(-q.y)}, FT(q.weight + q.x * m_focus.x + q.y * m_focus.y - m_focus.weight)};
+    const Point d = {FT(q.x - m_focus.x), FT(q.y - m_focus.y)};
+    const FT s = m_focus.weight - q.weight;
+    return {s, d, half_of_squares(d, s)};
+  }
+
   // Returns (d^2 - s^2) / 2, without loss where the two nearly cancel.
   static FT half_of_squares(const Point& d, const FT& s)
   {
@@ -178,13 +206,13 @@ private:
     {
       const FT d = m_difference + (c.x * m_to_right.x + c.y * m_to_right.y) / size_c, r = m_size / d;
       if(d > 0 && r < (std::max)(size_a, size_b))
-        visit(Point{FT(m_left.x + r * c.x / size_c), FT(m_left.y + r * c.y / size_c)});
+        visit(Point{FT(m_focus.x + r * c.x / size_c), FT(m_focus.y + r * c.y / size_c)});
       return;
     }
     const FT excess = 2 * p * q * (turn / width) * (turn / (sum + size_c)) / size_c;
     const FT stretch = 1 - m_difference * excess * size_c / m_size; // |c| / r
     if(stretch > 0)
-      visit(Point{FT(m_left.x + c.x / stretch), FT(m_left.y + c.y / stretch)});
+      visit(Point{FT(m_focus.x + c.x / stretch), FT(m_focus.y + c.y / stretch)});
   }
 
   // Is the nearer one of two ends, at these distances from the left image, known so badly that 1 / r of the farther one
@@ -194,7 +222,7 @@ private:
   {
     using std::abs;
     const FT least = (std::min)(a, b), most = (std::max)(a, b);
-    const FT rounding = std::numeric_limits<FT>::epsilon() * (most + abs(m_left.x) + abs(m_left.y));
+    const FT rounding = std::numeric_limits<FT>::epsilon() * (most + abs(m_focus.x) + abs(m_focus.y));
     return 64 * least < most && rounding * norm<FT>(m_to_right.x, m_to_right.y) * most > m_size * least;
   }
 
@@ -207,21 +235,25 @@ private:
     if(!(length > 0))
       return;
     const Point unit = {FT((m_last.x - m_first.x) / length), FT((m_last.y - m_first.y) / length)};
-    const auto along = [&](const Image& i) { return FT((i.x - m_first.x) * unit.x + (i.y - m_first.y) * unit.y); };
-    const auto across = [&](const Image& i)
-    { return FT(abs((i.y - m_first.y) * unit.x - (i.x - m_first.x) * unit.y)); };
-    for(const FT& t : turning_points(along(p), across(p), along(q), across(q)))
+    const auto piece = [&](const Image& i)
+    {
+      const FT x = i.is_at_infinity() ? i.x : FT(i.x - m_first.x), y = i.is_at_infinity() ? i.y : FT(i.y - m_first.y);
+      return Distance_piece<FT>{FT(0), length, FT(x * unit.x + y * unit.y), FT(abs(y * unit.x - x * unit.y)),
+                                i.weight, i.is_at_infinity()};
+    };
+    for(const FT& t : turning_points(piece(p), piece(q)))
       if(t > 0 && t < length)
         visit(Point{FT(m_first.x + t * unit.x), FT(m_first.y + t * unit.y)});
   }
 
   Point m_first, m_last;
-  Image m_left, m_right;
-  FT m_difference;                  // s
-  Point m_to_right;                 // d
-  FT m_size;                        // A, positive unless the piece is a segment
+  Image m_left, m_right, m_focus;   // F is one of both
   bool m_is_segment;
-  Point m_to_first, m_to_last;      // from the left image
+  // Of a piece that is no segment.
+  FT m_difference = 0;              // s
+  Point m_to_right;                 // d
+  FT m_size = 0;                    // A, positive
+  Point m_to_first, m_to_last;      // from F
 };
 
 } // namespace internal

@@ -11,8 +11,8 @@
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_CERTIFICATE_FACE_PATHS_H
 
 // The paths that lead to the points of one face: families of them, each straight from one image through an interval of
-// a side, or around an end of the interval. They come from windows, which exist as paths, or from the function on the
-// edges that proves lower bounds (Lower_bound_function.h).
+// a side, or around an end of the interval. The image of a curve is at infinity. They come from windows and strips,
+// which exist as paths, or from the function on the edges that proves lower bounds (Lower_bound_function.h).
 //
 // Frame: the layout of the face (corners 0, 1 and 2 at (0,0), (length[0],0) and (apex_x,apex_y)).
 
@@ -26,6 +26,8 @@
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Edge_window_field.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/strips/Edge_strip_field.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/strips/Strip.h>
 
 #include <algorithm>
 #include <array>
@@ -55,13 +57,21 @@ public:
       m_begin(point), m_end(point)
   {}
 
-  // A family through an interval of the side of a frame; the image lies on the other side, at (x, -depth).
-  Path_family(const Distance_piece<FT>& piece, const Side_frame<FT>& frame)
+  // A family through an interval of the side of a frame; the image lies on the other side, at (x, -depth), or its rays
+  // have the direction (x, depth).
+  // `size` is that of the face.
+  Path_family(const Distance_piece<FT>& piece, const Side_frame<FT>& frame, const FT& size)
     : m_piece(piece), m_frame(frame), m_begin(image_on_side(piece.begin)), m_end(image_on_side(piece.end))
   {
-    const Point p = frame.point(piece.x, -piece.depth);
-    m_image = is_point() ? image_on_side((std::min)((std::max)(piece.x, piece.begin), piece.end))
-                         : Image{p.x, p.y, piece.offset};
+    if(is_point())
+      m_image = image_on_side(piece.nearest());
+    else if(piece.is_linear)
+      m_image = image_at_infinity(size);
+    else
+    {
+      const Point p = frame.point(piece.x, -piece.depth);
+      m_image = Image{p.x, p.y, piece.offset};
+    }
   }
 
   bool is_point() const { return !(m_piece.depth > 0); }
@@ -84,24 +94,49 @@ public:
   // Returns the length of the path to p. The function is continuous in the face.
   FT at(const Point& p) const { return image_at(p).distance_to(p); }
 
+  // Returns another point on the ray that leads through a point of the side, in front of it.
+  Point behind(const Image& on_side) const
+  {
+    return m_image.is_at_infinity() ? Point{FT(on_side.x - m_image.x), FT(on_side.y - m_image.y)}
+                                    : Point{m_image.x, m_image.y};
+  }
+
   // Returns the abscissa at which the line from the image to p crosses the side. A point beyond the side, by rounding,
   // counts as one on it. Requires: !is_point().
   FT crossing(const Point& p) const
   {
     const FT dx = p.x - m_frame.origin.x, dy = p.y - m_frame.origin.y;
     const FT x = dx * m_frame.tx + dy * m_frame.ty, y = (std::max)(FT(dy * m_frame.tx - dx * m_frame.ty), FT(0));
+    if(m_piece.is_linear)
+      return x - y * (m_piece.x / m_piece.depth);
     return (m_piece.x * y + x * m_piece.depth) / (y + m_piece.depth);
   }
 
-  // Returns how far two families are from having the same image, in the same frame: no distance differs by more.
+  // Returns how far two families are from having the same image, in the same frame: no distance in the face differs by
+  // more. (The scale of an image at infinity is larger than the coordinates there.)
   FT difference(const Path_family& other) const
   {
     using std::abs;
+    if(m_image.is_at_infinity() != other.m_image.is_at_infinity())
+      return std::numeric_limits<FT>::infinity();
+    if(m_image.is_at_infinity())
+      return norm<FT>(m_image.x - other.m_image.x, m_image.y - other.m_image.y) * m_image.scale
+           + abs(m_image.weight - other.m_image.weight);
     return distance(Point{m_image.x, m_image.y}, Point{other.m_image.x, other.m_image.y})
          + abs(m_image.weight - other.m_image.weight);
   }
 
 private:
+  Image image_at_infinity(const FT& size) const
+  {
+    using std::abs;
+    const FT x = m_piece.x * m_frame.tx - m_piece.depth * m_frame.ty;
+    const FT y = m_piece.x * m_frame.ty + m_piece.depth * m_frame.tx;
+    const Point& o = m_frame.origin;
+    return Image{x, y, FT(m_piece.offset - (x * o.x + y * o.y)),
+                 FT(abs(m_piece.offset) + 2 * size)};
+  }
+
   Image image_on_side(const FT& t) const
   {
     const Point p = m_frame.point(t, FT(0));
@@ -126,10 +161,12 @@ public:
 
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
-  // Reads the paths that a propagation has found. `site_of(v)` is a number for the source of a vertex.
-  template <typename SiteOf>
+  // Reads the paths that a propagation has found. `site_of(v)` is a number for the source of a vertex, and
+  // `site_of_strip(strip)` for that of a strip.
+  template <typename SiteOf, typename SiteOfStrip>
   void start_windows(const Intrinsic_mesh<FT>& mesh, const Vertex_distance_field<FT>& field,
-                     const Edge_window_field<FT>& windows, SiteOf site_of, Face_id f)
+                     const Edge_window_field<FT>& windows, const Edge_strip_field<FT>& strips, SiteOf site_of,
+                     SiteOfStrip site_of_strip, Face_id f)
   {
     start(mesh, f);
     for(unsigned int k = 0; k < 3; ++k)
@@ -142,8 +179,11 @@ public:
     {
       windows.for_each_window(halfedge_of(f, k), [&](const Kept_window<FT>& w)
       {
-        add(Family({w.begin, w.end, w.image_x, w.image_depth, field.distance[w.root]}, frame), k, site_of(w.root));
+        add(Family({w.begin, w.end, w.image_x, w.image_depth, field.distance[w.root]}, frame, m_size), k,
+            site_of(w.root));
       });
+      strips.for_each_strip(halfedge_of(f, k), [&](const Strip<FT>& s)
+      { add(Family(piece_of_strip(s), frame, m_size), k, site_of_strip(s)); });
     });
   }
 
@@ -157,7 +197,7 @@ public:
     {
       function.read(halfedge_of(f, k), false, m_pieces);
       for(const Distance_piece<FT>& piece : m_pieces)
-        add(Family(piece, frame), k, none);
+        add(Family(piece, frame, m_size), k, none);
     });
   }
 
@@ -208,7 +248,8 @@ public:
     m_cover.clear();
     for(std::size_t j = 0; j < m_families.size(); ++j)
       if(m_sides[j] == m_sides[i] && m_sites[j] == m_sites[i] && !m_families[j].is_point())
-        if(m_families[j].difference(family) <= Tolerance<FT>::tie() * family.image().distance_to(first))
+        if(m_families[j].difference(family)
+           <= Tolerance<FT>::tie() * (family.image().distance_to(first) + family.image().scale))
         {
           error = (std::max)(error, m_families[j].difference(family));
           m_cover.emplace_back(m_families[j].piece().begin, m_families[j].piece().end);
@@ -238,11 +279,10 @@ public:
       arc.for_each_extremum(family.image(), compare);
       if(family.is_point())
         continue;
-      const Point image = {family.image().x, family.image().y};
       for(const Image& end : {family.begin(), family.end()})
       {
         arc.for_each_extremum(end, compare);
-        arc.for_each_crossing(image, Point{end.x, end.y}, compare);
+        arc.for_each_crossing(family.behind(end), Point{end.x, end.y}, compare);
       }
     }
     return excess;
@@ -274,6 +314,7 @@ private:
     m_sides.clear();
     m_sites.clear();
     m_corner = layout_of_face(mesh.face(f));
+    m_size = longest_side(mesh.face(f));
   }
 
   void add(const Family& family, unsigned int side, std::size_t site)
@@ -293,6 +334,7 @@ private:
   }
 
   std::array<Point, 3> m_corner;
+  FT m_size = 0; // of the face
   std::vector<Family> m_families;
   std::vector<unsigned int> m_sides; // of the families; from 3 on the corners
   std::vector<std::size_t> m_sites;  // of the families

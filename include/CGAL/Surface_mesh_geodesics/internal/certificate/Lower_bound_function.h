@@ -74,6 +74,14 @@ Side_line<FT> reversed(const Side_line<FT>& l)
   return {l.at(l.length), {-l.unit.x, -l.unit.y}, l.length};
 }
 
+// The rays of a strip as a piece. The proof relies on a direction of length 1, which is not taken for granted.
+template <typename FT>
+Distance_piece<FT> piece_of_strip(const Strip<FT>& s)
+{
+  const FT size = norm<FT>(s.direction_x, s.direction_y);
+  return {s.begin, s.end, s.direction_x / size, s.direction_y / size, s.distance, true};
+}
+
 // Frames: a point, an image or a side is given in the frame of the halfedge whose face is looked at (Face_frame): A is
 // the origin, B lies on the x axis, the face lies above. Functions on a side count from its `origin` (Side_line).
 // Lengths are in the unit of the intrinsic mesh.
@@ -193,7 +201,7 @@ private:
     m_windows.for_each_window(h, [&](const Kept_window<FT>& w)
     { add({w.begin, w.end, w.image_x, w.image_depth, m_distance[w.root]}); });
     if(m_strips != nullptr)
-      m_strips->for_each_strip(h, [&](const Strip<FT>& s) { add(piece_of(s)); });
+      m_strips->for_each_strip(h, [&](const Strip<FT>& s) { add(piece_of_strip(s)); });
     if(c.right_length > 0)
       add_paths_through(next_halfedge(h), right_side_line(c), c.length, add_three);
     if(c.left_length > 0)
@@ -205,14 +213,7 @@ private:
   {
     add_windows_through(g, side, length, add);
     if(m_strips != nullptr)
-      m_strips->for_each_strip(g, [&](const Strip<FT>& s) { add_strip_through(piece_of(s), side, length, add); });
-  }
-
-  // The proof relies on a direction of length 1, which is not taken for granted.
-  static Piece piece_of(const Strip<FT>& s)
-  {
-    const FT size = norm<FT>(s.direction_x, s.direction_y);
-    return {s.begin, s.end, s.direction_x / size, s.direction_y / size, s.distance, true};
+      m_strips->for_each_strip(g, [&](const Strip<FT>& s) { add_strip_through(piece_of_strip(s), side, length, add); });
   }
 
   // Does for the rays of a strip on the side what add_windows_through() does for those of a window.
