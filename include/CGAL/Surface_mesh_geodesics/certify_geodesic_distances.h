@@ -99,7 +99,7 @@ no thread modifies them; see `geodesic_distances()`.
     \cgalParamDefault{an automatically indexed internal map}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}
-    \cgalParamDescription{the number of vertices from which distances are computed in reverse}
+    \cgalParamDescription{the number of vertices from which distances are computed in reverse; not negative}
     \cgalParamType{unsigned int}
     \cgalParamDefault{`4`}
   \cgalParamNEnd

@@ -312,7 +312,9 @@ private:
     return true;
   }
 
-  // Returns false if the visitor cancels, or has canceled before.
+  // Runs a propagation that has its sources and targets, and lets the visitor follow it. Returns false if the visitor
+  // cancels, or has canceled before: then the condition that needed the run counts as violated, as nobody has checked
+  // it.
   template <typename Propagation, typename Visitor>
   bool run_to_sources(Propagation& propagation, Visitor& visitor) const
   {
@@ -322,6 +324,7 @@ private:
   }
 
   // Runs a propagation. It calls go_on(number of visits, distance in the user's unit), and ends if that returns false.
+  // (The propagation computes in the unit of the intrinsic mesh, a power of two; what a visitor sees is in the user's.)
   template <typename Propagation, typename GoOn>
   bool run(Propagation& propagation, GoOn go_on) const
   {
@@ -388,8 +391,6 @@ template <typename ConcurrencyTag, typename Certificate, typename TriangleMesh, 
 Certificate certify_distances(const TriangleMesh& tm, VertexDistanceMap vertex_distance_map, const Sources& sources,
                               MakeShape make_shape, const NamedParameters& np)
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   // Numbers of any type will do: the distances may come from a program with another kernel.
   static_assert(!std::is_void<typename Value_of_map<VertexDistanceMap, vertex_descriptor>::type>::value,
@@ -407,7 +408,7 @@ Certificate certify_distances(const TriangleMesh& tm, VertexDistanceMap vertex_d
   const auto conditions = certifier.run(
     typename Chunks_for_tag<typename Available_tag<ConcurrencyTag>::type>::type(),
     [&](vertex_descriptor v) { return CGAL::to_double(get(vertex_distance_map, v)); }, options.maximum_distance,
-    static_cast<std::size_t>(choose_parameter(get_parameter(np, internal_np::number_of_iterations), 4)),
+    value_parameter<std::size_t>(np, internal_np::number_of_iterations, 4),
     visitor_parameter.visitor());
   return Private_access::make<Certificate>(
     conditions, [&](Vertex_id v) { return certifier.surface().descriptor_or_null(v); });
