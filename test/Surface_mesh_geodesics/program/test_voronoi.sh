@@ -58,8 +58,12 @@ is_silent voronoi "$grid" --site-point 1,1,0 --site-curve side.obj -o parabola.c
 is_near "$(column parabola.csv area | line /dev/stdin 1)" 0.33333333333333331
 is_near "$(column parabola.csv area | line /dev/stdin 2)" 0.66666666666666663
 awk '$1 == "v" { d = ($2 - 1)^2 + 1 - 2 * $3; if(d > 1e-9 || d < -1e-9) exit 1; ++n } END { exit !(n > 2) }' parabola.obj
-is_silent voronoi "$grid" --site-border --site 5 --vertices > border.csv
-equals "$(column border.csv site | sort | uniq -c | awk '{ print $2 ":" $1 }' | paste -sd ' ')" "0:1 1:15"
+# Vertices 6 and 9 are as far from vertex 5 as from the border; weights decide.
+numbers_of_sites() { column border.csv site | sort | uniq -c | awk '{ print $2 ":" $1 }' | paste -sd ' '; }
+is_silent voronoi "$grid" --site-border --site 5 --weight 0.05,0 --vertices > border.csv
+equals "$(numbers_of_sites)" "0:3 1:13"
+is_silent voronoi "$grid" --site-border --site 5 --weight 0,0.05 --vertices > border.csv
+equals "$(numbers_of_sites)" "0:1 1:15"
 rejects 2 "--site-border: the surface has no border" voronoi "$data/tetra.off" --site-border
 
 # A smaller tolerance gives more points.
