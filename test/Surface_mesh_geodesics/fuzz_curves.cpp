@@ -1,9 +1,14 @@
 // Distances from random curves on hostile surfaces, against the smallest distance from each of some vertices to a point
-// of the curves. Arguments: the number of surfaces, and the seed.
+// of the curves. Where no sample comes near enough to the nearest point, as beside edges that are shorter than the curve
+// by a factor of a million, the certificate decides. Arguments: the number of surfaces, and the seed.
 
 #include "curve_cases.h"
 #include "hostile_meshes.h"
 #include "test_support.h"
+
+#include <CGAL/Surface_mesh_geodesics/certify_geodesic_distances.h>
+
+#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -15,13 +20,24 @@
 #include <string>
 #include <vector>
 
+using namespace curve_cases;
+
+namespace {
+
+bool is_proved(const Mesh& tm, Distances& d, const std::vector<Curve>& curves)
+{
+  return CGAL::Surface_mesh_geodesics::certify_geodesic_distances(tm, boost::make_assoc_property_map(d), curves)
+    .is_certified();
+}
+
+} // namespace
+
 int main(int argc, char** argv)
 {
-  using namespace curve_cases;
   const std::size_t number = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 20000;
   const std::uint64_t seed = test_support::announce_seed(argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 1);
   double worst = 0;
-  std::size_t compared = 0, rejected = 0;
+  std::size_t compared = 0, proved = 0, rejected = 0;
   for(std::uint64_t i = 0; i < number; ++i)
   {
     const test_support::Scope scope("surface " + std::to_string(seed + i));
@@ -51,14 +67,16 @@ int main(int argc, char** argv)
     {
       const vertex_descriptor v = random_vertex(tm, random);
       const double error = error_at(tm, curves, v, d.at(v));
-      CHECK(error <= 1e-12);
-      worst = (std::max)(worst, error);
       ++compared;
+      if(error <= 1e-12)
+        worst = (std::max)(worst, error);
+      else if(CHECK(is_proved(tm, d, curves)))
+        ++proved;
     }
   }
   CHECK(compared > 0);
   CHECK(200 * rejected <= number + 200);
-  std::cout << compared << " distances, worst relative error " << worst << ", " << rejected
+  std::cout << compared << " distances, worst relative error " << worst << ", " << proved << " proved, " << rejected
             << " surfaces with curves that rounding hides" << std::endl;
   return test_result();
 }
