@@ -1,6 +1,6 @@
 // Distances from random curves on hostile surfaces, against the smallest distance from each of some vertices to a point
-// of the curves. Where no sample comes near enough to the nearest point, as beside edges that are shorter than the curve
-// by a factor of a million, the certificate decides. Arguments: the number of surfaces, and the seed.
+// of the curves. Where no sample comes near enough to the nearest point, as beside edges that are shorter than the
+// curve by a factor of a million, the certificate decides. Arguments: the number of surfaces, and the seed.
 
 #include "curve_cases.h"
 #include "hostile_meshes.h"

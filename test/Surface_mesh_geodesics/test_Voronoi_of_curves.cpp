@@ -328,6 +328,28 @@ void check_arcs(const Voronoi& diagram, const Distances_of_curves& distance)
     }
 }
 
+// On a closed surface, the arcs around a disk make one closed line; the polyline that is drawn is shorter by little.
+void check_boundaries(const Mesh& tm, const Voronoi& diagram, std::size_t number_of_sites)
+{
+  for(std::size_t i = 0; i < number_of_sites; ++i)
+  {
+    double length = 0, drawn = 0;
+    for(const Voronoi::Arc& a : diagram.arcs(i))
+      length += a.length();
+    const auto lines = diagram.boundary_polylines(i, 1e-4);
+    CHECK(!diagram.is_disk(i) || lines.size() == 1);
+    for(const Voronoi::Boundary_polyline& line : lines)
+    {
+      CHECK(line.is_closed);
+      const auto& l = line.locations;
+      for(std::size_t k = 0; k + 1 < l.size(); ++k)
+        drawn += std::sqrt(CGAL::squared_distance(Paths::point(l[k].first, l[k].second, tm),
+                                                  Paths::point(l[k + 1].first, l[k + 1].second, tm)));
+    }
+    CHECK(drawn <= length * (1 + 1e-9) && drawn >= .99 * length);
+  }
+}
+
 void bumpy_spheres()
 {
   bool have_parabolas = false;
@@ -348,6 +370,7 @@ void bumpy_spheres()
     check_labels(tm, diagram, curves, weights, distance);
     check_arcs(diagram, distance);
     check_cut(tm, diagram, curves, 1e-3);
+    check_boundaries(tm, diagram, curves.size());
     CHECK(is_right(diagram));
     have_parabolas = have_parabolas || (weights.empty() && !std::all_of(diagram.arcs().begin(), diagram.arcs().end(),
                                                                        [](const auto& a) { return a.is_segment(); }));

@@ -191,6 +191,9 @@ void wrong_strips_are_found(const Indexed_mesh& indexed)
     // function than that of the rays.
     const Strips longer = witness.changed(i, [](SMGI::Strip<double>& s) { s.direction_x *= 2; s.direction_y *= 2; });
     CHECK(witness.violation(&longer) < 1e-14);
+    // Nor does a direction away from the face.
+    const Strips down = witness.changed(i, [](SMGI::Strip<double>& s) { s.direction_y *= -1; });
+    CHECK(witness.violation(&down) < 1e-14);
     const Strips turned = witness.changed(i, [](SMGI::Strip<double>& s)
     {
       const double x = s.direction_x, y = s.direction_y, t = s.direction_x > 0 ? .1 : -.1;

@@ -320,7 +320,7 @@ void canceled_checks_prove_nothing()
   const std::vector<Curve> curves = SMG::border_curves(tm);
   SMG::geodesic_distances(tm, map, curves);
   Canceling_visitor counting;
-  counting.last = std::numeric_limits<std::size_t>::max();
+  counting.last = (std::numeric_limits<std::size_t>::max)();
   CHECK(SMG::certify_geodesic_distances(tm, map, curves, np::visitor(std::ref(counting))).is_certified());
   const std::size_t all = counting.number_of_calls;
   for(const std::size_t last : {std::size_t(0), all / 4, all / 2, all - 1})

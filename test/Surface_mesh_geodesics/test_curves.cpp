@@ -300,6 +300,11 @@ void test_limits()
     CHECK_EQUAL(solver.distance(v), all[v] <= radius ? all[v] : infinity);
   for(const Mesh::size_type i : {3u, 100u, 200u})
     CHECK_EQUAL(solver.compute_distance(curves, vertex_descriptor(i)), all[vertex_descriptor(i)]);
+  const std::vector<vertex_descriptor> targets{vertex_descriptor(3), vertex_descriptor(200)};
+  Distances of_targets;
+  SMG::geodesic_distances(tm, boost::make_assoc_property_map(of_targets), curves, np::targets(targets));
+  for(const vertex_descriptor v : vertices(tm)) // those that are farther away may be left out
+    CHECK(of_targets[v] == all[v] || (of_targets[v] == infinity && v != targets[0] && v != targets[1]));
   // Nothing is left of runs that ended early, failed or were canceled; points come after curves, and the other way.
   Canceling_visitor visitor;
   CHECK(!solver.compute_distances(curves, np::visitor(std::ref(visitor))));
@@ -348,8 +353,13 @@ void test_invariance()
     Distances by_length;
     SMG::geodesic_distances_from_edge_lengths(tm, boost::make_assoc_property_map(length),
                                               boost::make_assoc_property_map(by_length), curves);
+    Solver from_lengths = Solver::from_edge_lengths(tm, boost::make_assoc_property_map(length));
+    from_lengths.compute_distances(curves);
     for(const auto& entry : by_length)
+    {
       CHECK_NEAR(entry.second, d.at(entry.first), 1e-12 * extent(tm));
+      CHECK_EQUAL(from_lengths.distance(entry.first), entry.second);
+    }
   }
 }
 

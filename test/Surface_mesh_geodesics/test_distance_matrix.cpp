@@ -328,7 +328,7 @@ void peeling_can_be_canceled()
 {
   test_support::Scope scope("order of peeling, canceled");
   const Mesh tm = to_face_graph(icosphere(3));
-  Canceling_visitor all(std::numeric_limits<std::size_t>::max());
+  Canceling_visitor all((std::numeric_limits<std::size_t>::max)());
   CHECK(SMG::geodesic_peeling_order(tm, vertices(tm), CGAL::parameters::visitor(std::ref(all)))
         == SMG::geodesic_peeling_order(tm, vertices(tm)));
   CHECK(all.visits >= 3 * num_vertices(tm));

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iostream>
 #include <vector>
 
 using namespace curve_cases;
@@ -20,7 +21,7 @@ namespace SMG = CGAL::Surface_mesh_geodesics;
 
 namespace {
 
-double largest_excess(const Mesh& tm, const std::vector<Curve>& curves, const Distances& d, std::size_t n)
+double mean_excess(const Mesh& tm, const std::vector<Curve>& curves, const Distances& d, std::size_t n)
 {
   std::vector<Location> points;
   for(const Curve& c : curves)
@@ -35,9 +36,9 @@ double largest_excess(const Mesh& tm, const std::vector<Curve>& curves, const Di
     CHECK(from_points.at(v) >= d.at(v) * (1 - 1e-12) - 1e-14);
     // The error is quadratic at vertices that are farther away than the points are from each other.
     if(d.at(v) > extent(tm) / 2)
-      excess = (std::max)(excess, from_points.at(v) - d.at(v));
+      excess += from_points.at(v) - d.at(v);
   }
-  return excess;
+  return excess / static_cast<double>(num_vertices(tm));
 }
 
 void test_points_along_curves()
@@ -59,13 +60,14 @@ void test_points_along_curves()
     if(!is_connected)
       continue;
     for(std::size_t i = 0; i < 3; ++i)
-      excess[i] = largest_excess(tm, curves, d, std::size_t(4) << i);
+      excess[i] = mean_excess(tm, curves, d, std::size_t(4) << 2 * i);
     CHECK(excess[0] <= extent(tm) / 8);
     for(std::size_t i = 0; i < 3; ++i)
       sum[i] += excess[i] / extent(tm);
   }
-  CHECK(sum[0] > .01);
-  CHECK(sum[1] < .6 * sum[0] && sum[2] < .6 * sum[1]);
+  CHECK(sum[0] > .001);
+  std::cout << "mean excess with 4, 16 and 64 points a segment: " << sum[0] << ' ' << sum[1] << ' ' << sum[2] << "\n";
+  CHECK(sum[1] < .15 * sum[0] && sum[2] < .15 * sum[1]); // an error that is linear would shrink to a quarter
 }
 
 // Ten thousand points along a polygon in the plane, at most h apart on a side: the nearest point of a side is at most

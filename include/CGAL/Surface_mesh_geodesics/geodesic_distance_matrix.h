@@ -186,7 +186,9 @@ vertex of the mesh.
 
 \return `true`, or `false` if `row_output` ended the computation
 
-\throws Invalid_geodesic_input if the mesh or a vertex is invalid, before the first call of `row_output`
+\throws Invalid_geodesic_input if the mesh or a vertex is invalid, before the first call of `row_output`; also if a
+        vertex is inside of the faces to avoid: leave such vertices out, or call `geodesic_distance_matrix()` with them
+        as targets only
 */
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename Vertices, typename RowOutput,
           typename CGAL_NP_TEMPLATE_PARAMETERS>

@@ -27,6 +27,7 @@
 #include <CGAL/assertions.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -78,8 +79,9 @@ Side_line<FT> reversed(const Side_line<FT>& l)
 template <typename FT>
 Distance_piece<FT> piece_of_strip(const Strip<FT>& s)
 {
+  using std::abs;
   const FT size = norm<FT>(s.direction_x, s.direction_y);
-  return {s.begin, s.end, s.direction_x / size, s.direction_y / size, s.distance, true};
+  return {s.begin, s.end, s.direction_x / size, FT(abs(s.direction_y)) / size, s.distance, true};
 }
 
 // Frames: a point, an image or a side is given in the frame of the halfedge whose face is looked at (Face_frame): A is

@@ -64,8 +64,9 @@ struct Is_face_location<TriangleMesh, Source,
                         typename boost::graph_traits<TriangleMesh>::face_descriptor>
 {};
 
-// Is a source a curve? (Surface_curve has the type `Surface_curve_tag`; the public header is above this room.) Only
-// computations of distances take curves. All other users of a source set reject them when they are compiled.
+// Is a source a curve? (Surface_curve has the type `Surface_curve_tag`; the public header is above this room.)
+// Computations of distances, their certificates and isolines take curves. All other users of a source set reject them
+// when they are compiled.
 template <typename Source, typename = void>
 struct Is_curve
   : std::false_type
