@@ -817,7 +817,7 @@ MUTANTS = [
      "return {length - end, length - begin, x, depth, offset, true};",
      "seen from the other face of an edge, rays come from the wrong side", (CERTIFICATE_OF_STRIPS,)),
     ("direction_taken_for_granted", LOWER_FUNCTION,
-     "s.direction_x / size, s.direction_y / size, s.distance, true};",
+     "s.direction_x / size, FT(abs(s.direction_y)) / size, s.distance, true};",
      "s.direction_x, s.direction_y, s.distance, true};",
      "the proof believes a strip whose direction has another length than 1", (CERTIFICATE_OF_STRIPS,)),
     ("rays_through_sides", LOWER_FUNCTION,
