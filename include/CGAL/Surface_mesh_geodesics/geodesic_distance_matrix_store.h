@@ -141,7 +141,8 @@ that are done.
   \cgalParamNEnd
   \cgalParamNBegin{first_row}
     \cgalParamDescription{the first row that this call computes. A call computes the shards whose first row is in
-                          [`first_row`, `end_row`).}
+                          [`first_row`, `end_row`). There may be none: an array job may have more tasks than the matrix
+                          has rows, and the status returned then counts no row.}
     \cgalParamType{`std::size_t`}
     \cgalParamDefault{`0`}
   \cgalParamNEnd

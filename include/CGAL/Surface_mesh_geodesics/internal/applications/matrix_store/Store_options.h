@@ -73,15 +73,6 @@ Store_options store_options(const NamedParameters& np)
   return options;
 }
 
-// Throws if a matrix with this number of rows has rows, but none from the first one on: a job of an array whose number
-// is wrong would otherwise end at once, and seem to be complete.
-inline void check_first_row(const Store_options& options, std::size_t number_of_rows)
-{
-  if(number_of_rows > 0 && options.first_row >= number_of_rows)
-    throw Geodesic_matrix_store_error(Geodesic_matrix_store_error::Reason::INVALID_OPTION,
-                                      "the first row is behind the last one of the matrix");
-}
-
 } // namespace internal
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL

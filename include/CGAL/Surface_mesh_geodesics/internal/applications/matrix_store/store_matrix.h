@@ -127,7 +127,6 @@ Geodesic_matrix_store_status store_matrix_with(const TriangleMesh& tm, const Sou
     const Distance_matrix<double> matrix(surface.mesh(), surface.source_set(sources), surface.copies());
     const std::vector<Vertex_id> target_ids = surface.checked_ids(targets, "target");
     Store_folder folder(path);
-    check_first_row(options, matrix.number_of_rows());
     open(folder, describe(tm, sources, targets, matrix.sources(), target_ids, surface.obstacles(), options, np));
     // Remains of processes that were killed: they would otherwise stay until somebody wonders what they are.
     folder.remove_stale_files();
