@@ -99,8 +99,8 @@ object, which has nothing to compute, does not read the mesh. `use_edge_lengths(
 whereas a diagram reads them in its next build. `avoid_faces()` and `avoid_edges()` take the lengths from the points
 again here, and keep given lengths in a diagram; `clear()` forgets obstacles here, and keeps them there. Lengths that
 are rejected leave this object as it was; a diagram rejects each build until it gets other lengths, or the points by
-`use_points()`. `statistics()` builds nothing. The
-number that stands for "no source point" is the constant `no_source`; for "no site" it is the function `null_site()`.
+`use_points()`. `statistics()` builds nothing. The number that stands for "no source point" is the
+constant `no_source`; for "no site" it is the function `null_site()`.
 
 <b>Differences from `Surface_mesh_shortest_path`.</b> All of them are intended.
 

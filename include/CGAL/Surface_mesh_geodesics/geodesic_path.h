@@ -57,7 +57,6 @@ constexpr bool are_places()
 template <typename TriangleMesh, typename Source, typename Vertex, typename NamedParameters>
 double distance_of_vertex(const TriangleMesh& tm, const Source& source, const Vertex& target, const NamedParameters& np)
 {
-  check_end(tm, target, np);
   auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
   auto fim = CGAL::get_initialized_face_index_map(tm, np);
   Distance_solver<Sequential_tag, double, TriangleMesh, decltype(vim), decltype(fim)> solver(
@@ -67,7 +66,10 @@ double distance_of_vertex(const TriangleMesh& tm, const Source& source, const Ve
   options.statistics = statistics_parameter(np);
   Geodesic_default_visitor visitor;
   solver.run(source, options, visitor);
-  return solver.distance(target);
+  const double result = solver.distance(target);
+  if(!(result < std::numeric_limits<double>::infinity()))
+    reject_unreached_inside(tm, target, np);
+  return result;
 }
 
 // A point as the structure for paths wants it: a vertex descriptor, or a location with its number type.
@@ -252,12 +254,14 @@ double geodesic_path(const TriangleMesh& tm, const Point1& a, const Point2& b, O
   else // the structure writes paths to their source
     return internal::query_paths(tm, b, np, [&](auto& paths)
     {
-      internal::check_end(tm, a, np);
       using Paths = std::decay_t<decltype(paths)>;
       using Points = internal::Points_of_elements<Paths>;
       const Points points(paths);
       internal::Path_point_writer<Points, OutputIterator> writer(points, output);
-      return paths.single_sequence(internal::place_of<Paths, TriangleMesh>(a), writer);
+      const auto result = paths.single_sequence(internal::place_of<Paths, TriangleMesh>(a), writer);
+      if(result.first < 0)
+        internal::reject_unreached_inside(tm, a, np);
+      return result;
     });
 }
 

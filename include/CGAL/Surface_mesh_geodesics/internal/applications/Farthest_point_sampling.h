@@ -101,7 +101,6 @@ public:
       = Curve_insertion<double>(m_surface.mesh(), insertion).insert(m_surface.located_curves(curves, {}));
     Distance_propagation<double, All_pruning_rules, No_window_keeper, Strip_front<double>> propagation(
       m_surface.mesh(), m_field);
-    propagation.restart(); // gives the tables of strips the size of the mesh
     propagation.add_curves(inserted);
     return sample(propagation, n, output, options, visitor, !inserted.vertices.empty());
   }

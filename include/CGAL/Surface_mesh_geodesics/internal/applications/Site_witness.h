@@ -185,7 +185,8 @@ public:
       checks.add_source(v, s.second);
       at_sources.record(m_field.distance[v] - s.second, m_field.distance[v], checks.extents()[v], v);
     }
-    for_each_source_edge([&](Halfedge_id h, double offset_of_edge) { checks.add_source_edge(h, offset_of_edge); });
+    m_curves.curves.for_each_edge_with_length([&](Halfedge_id h, double offset_of_edge)
+    { checks.add_source_edge(h, offset_of_edge); });
     const Curve_arrivals<double>* const curves = has_curves() ? &m_curves : nullptr;
     for(const Worst_violation<double>& w :
         {checks.check_reach(infinity), checks.check_sources(infinity), checks.check_edges(infinity),
@@ -195,7 +196,7 @@ public:
       add(w, result);
     // The function has been made; what it proves needs its values on the curves, between their vertices as well.
     Worst_violation<double> on_edges;
-    for_each_source_edge([&](Halfedge_id h, double offset_of_edge)
+    m_curves.curves.for_each_edge_with_length([&](Halfedge_id h, double offset_of_edge)
     { record_excess_on_edge(m_function, h, offset_of_edge, checks.extents(), on_edges); });
     add(on_edges, result);
   }
@@ -338,15 +339,6 @@ private:
     { m_curve_run->insert(mesh(), insertion, curves, m_curves); });
     for(const Source_vertex<double>& v : m_curves.curves.vertices)
       m_vertices.emplace_back(v.vertex, v.offset);
-  }
-
-  // Calls visit(halfedge, offset) for each edge that is a part of a curve and has a length.
-  template <typename Visit>
-  void for_each_source_edge(Visit visit) const
-  {
-    for(const Source_edge<double>& e : m_curves.curves.edges)
-      if(e.length > 0)
-        visit(e.left != null_id ? e.left : e.right, e.offset);
   }
 
   // Does an edge belong to source k? A curve whose vertices all belong to others may still have an edge of its own.

@@ -58,8 +58,7 @@ public:
   {}
 
   // A family through an interval of the side of a frame; the image lies on the other side, at (x, -depth), or its rays
-  // have the direction (x, depth).
-  // `size` is that of the face.
+  // have the direction (x, depth). `size` is that of the face.
   Path_family(const Distance_piece<FT>& piece, const Side_frame<FT>& frame, const FT& size)
     : m_piece(piece), m_frame(frame), m_begin(image_on_side(piece.begin)), m_end(image_on_side(piece.end))
   {

@@ -147,7 +147,8 @@ public:
     Distance_checks<FT> checks(m_surface.mesh(), std::move(values));
     for(const std::pair<Vertex_id, FT>& s : m_sources)
       checks.add_source(s.first, s.second);
-    for_each_source_edge([&](Halfedge_id h, const FT& offset) { checks.add_source_edge(h, offset); });
+    m_curves.curves.for_each_edge_with_length([&](Halfedge_id h, const FT& offset)
+    { checks.add_source_edge(h, offset); });
 
     Checked_conditions<FT> result;
     result[CHECKED_REACH] = checks.check_reach(limit);
@@ -240,7 +241,7 @@ private:
     for(const std::pair<Vertex_id, FT>& s : m_sources)
       worst.record(function.values()[s.first] - s.second, function.values()[s.first], checks.extents()[s.first],
                    s.first);
-    for_each_source_edge([&](Halfedge_id h, const FT& offset)
+    m_curves.curves.for_each_edge_with_length([&](Halfedge_id h, const FT& offset)
     { record_excess_on_edge(function, h, offset, checks.extents(), worst); });
     return worst;
   }
@@ -306,7 +307,7 @@ private:
     const Lower_bound_function<FT> function(m_surface.mesh(), field.distance, windows);
     Edge_distance_function<FT> on_edge;
     FT to_edges = std::numeric_limits<FT>::infinity();
-    for_each_source_edge([&](Halfedge_id h, const FT& offset)
+    m_curves.curves.for_each_edge_with_length([&](Halfedge_id h, const FT& offset)
     { to_edges = (std::min)(to_edges, FT(function.least_value(h, on_edge) + offset)); });
     checks.check_reverse(v, field, limit, worst, to_edges);
     return true;
@@ -359,16 +360,6 @@ private:
 
   // Are the sources curves? Points beside curves are curves of one location, so there is no mixture.
   bool has_curves() const { return m_curve_run != nullptr; }
-
-  // Calls visit(halfedge, offset) for each edge of the refined mesh that is a part of a curve and has a length. (The
-  // ends of an edge without length are sources as well.)
-  template <typename Visit>
-  void for_each_source_edge(Visit visit) const
-  {
-    for(const Source_edge<FT>& e : m_curves.curves.edges)
-      if(e.length > 0)
-        visit(e.left != null_id ? e.left : e.right, e.offset);
-  }
 
   using Keeping_propagation = Distance_propagation<FT, All_pruning_rules, Window_keeper<FT>>;
 

@@ -93,20 +93,20 @@ std::vector<char> avoided_faces(const TriangleMesh& tm, const FaceIndexMap& fim,
     return {};
 }
 
-// Throws if the point at the other end of a path is a vertex all of whose faces are avoided. (Sources and locations are
-// rejected anyway, when the mesh has been read; so both ends are treated alike. Where many distances are asked for,
-// vertices inside are simply not reached.) Linear in the number of faces, if there are faces to avoid.
+// For a point that no path from the source reaches: throws if it is a vertex all of whose faces are avoided. (Sources
+// and locations are rejected anyway, when the mesh is read; so both ends of a path are treated alike. Where many
+// distances are asked for, vertices inside are simply not reached.) Linear in the number of faces, if faces are to be
+// avoided. Requires: the vertex is one of the mesh.
 template <typename TriangleMesh, typename Place, typename NamedParameters>
-void check_end(const TriangleMesh& tm, const Place& place, const NamedParameters& np)
+void reject_unreached_inside(const TriangleMesh& tm, const Place& place, const NamedParameters& np)
 {
   if constexpr(Has_parameter<NamedParameters, internal_np::faces_to_avoid_t>::value
                && Is_vertex<TriangleMesh, Place>::value)
   {
     using Graph_traits = boost::graph_traits<TriangleMesh>;
     const typename Graph_traits::vertex_descriptor v = place;
-    if(v == Graph_traits::null_vertex() || Removed_elements<TriangleMesh>::contain(v, tm)
-       || halfedge(v, tm) == Graph_traits::null_halfedge())
-      return; // rejected when the mesh is read, or isolated
+    if(halfedge(v, tm) == Graph_traits::null_halfedge())
+      return;
     auto fim = CGAL::get_initialized_face_index_map(tm, np);
     const Obstacles avoided{avoided_faces(tm, fim, np), {}};
     for(const auto f : faces_around_target(halfedge(v, tm), tm))

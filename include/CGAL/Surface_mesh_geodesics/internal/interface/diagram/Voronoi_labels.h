@@ -95,15 +95,13 @@ private:
 template <typename ConcurrencyTag, typename TriangleMesh, typename SiteMap, typename Sites, typename NamedParameters>
 bool compute_Voronoi_labels(const TriangleMesh& tm, SiteMap site_map, const Sites& sites, const NamedParameters& np)
 {
-  // A map of distances would take the numbers of sites, too, and the number for no site would be lost in it.
   using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
-  // Bytes would hold 256 sites, and nobody would notice the others.
   using Label = typename Value_of_map<SiteMap, Vertex>::type;
   static_assert(std::is_integral<Label>::value,
                 "labels cannot be written to this argument; it is a property map from the vertices of the mesh to "
                 "integers, and comes before the sites");
-  static_assert(!std::is_integral<Label>::value || sizeof(Label) >= 4,
-                "the labels are not integers of at least 32 bits");
+  if constexpr(std::is_integral<Label>::value)
+    static_assert(holds_numbers_of_sources<Label>, "the labels are not integers of at least 32 bits");
   auto distance_map = map_parameter<Vertex, double, No_distance_map<Vertex>>(np, internal_np::vertex_distance_map);
   const Offsets_of_weights from_weights(range_parameter<double>(np, internal_np::site_weights));
   const Distance_options<TriangleMesh, SiteMap> options{

@@ -108,11 +108,9 @@ public:
     : m_curves(Curve_insertion<double>(surface.mesh(), insertion).insert(surface.located_curves(curves, offsets)))
   {}
 
-  // Restarts the propagation, whose tables of strips get the size of the mesh. The limit comes first: strips that start
-  // beyond it are not made.
+  // The limit comes first: strips that start beyond it are not made.
   void start(Propagation& propagation, double limit, Sweep& sweep) const
   {
-    propagation.restart();
     propagation.strips().keep_in(&sweep);
     propagation.set_maximum_distance(limit);
     propagation.add_curves(m_curves);

@@ -74,6 +74,11 @@ constexpr bool is_value_of
     && (!std::is_integral<T>::value
         || (std::is_integral<U>::value && std::is_same<U, bool>::value == std::is_same<T, bool>::value));
 
+// Does a type hold the numbers of all sources, or sites? A floating point type would take them as well, but the number
+// for no source would be lost in it. Bytes would hold the numbers of 256 sources, and nobody would notice the others.
+template <typename Number>
+constexpr bool holds_numbers_of_sources = std::is_integral<Number>::value && sizeof(Number) >= 4;
+
 // The value of a parameter that means a T without a cast, or the default value. Requires: a value for an unsigned type
 // is not negative.
 template <typename T, typename Tag, typename NamedParameters>
@@ -166,10 +171,8 @@ auto distance_options(const NamedParameters& np)
     = map_parameter<vertex_descriptor, std::size_t, No_nearest_source_map>(np, internal_np::nearest_source_map);
   if constexpr(Has_parameter<NamedParameters, internal_np::nearest_source_map_t>::value)
   {
-    // A map of distances would take the numbers as well, and no_source would be one of them.
     using Value = typename boost::property_traits<decltype(map)>::value_type;
-    // Bytes would hold the numbers of 256 sources, and nobody would notice the others.
-    static_assert(std::is_integral<Value>::value && sizeof(Value) >= 4,
+    static_assert(holds_numbers_of_sources<Value>,
                   "the values of the named parameter nearest_source_map are not integers of at least 32 bits");
   }
   Distance_options<TriangleMesh, decltype(map)> options{

@@ -77,7 +77,6 @@ public:
            Propagation_statistics& statistics) const override
   {
     Distance_propagation<FT, All_pruning_rules, Window_keeper<FT>, Strip_front<FT>> propagation(mesh, field, keeper);
-    propagation.restart(); // gives the tables of strips the size of the mesh
     if(keeper.keeps_windows())
     {
       arrivals.strips.reset(mesh.number_of_faces());

@@ -245,13 +245,13 @@ private:
       const FT known = known_path_to_apex(h, c);
       if(is_counterclockwise)
       {
-        leave(c.right, make_children(n, right_side(c, known)), c.apex, c.target, push);
-        n = make_children(n, left_side(c, known)).number;
+        leave(c.right, children_on_right(n, c, known), c.apex, c.target, push);
+        n = children_on_left(n, c, known).number;
       }
       else
       {
-        leave(c.left, make_children(n, left_side(c, known)), c.origin, c.apex, push);
-        n = make_children(n, right_side(c, known)).number;
+        leave(c.left, children_on_left(n, c, known), c.origin, c.apex, push);
+        n = children_on_right(n, c, known).number;
       }
       std::swap(m_crossing, m_children);
       h = is_counterclockwise ? c.left : c.right;
@@ -344,43 +344,32 @@ private:
                                                  : Field::infinity();
   }
 
-  // A side of a face, and what crosses it.
-  struct Side_to_cross
-  {
-    bool exists; // strips may go on there: it is no border, and has a length
-    Strip_side<FT> side;
-    Cross Strip_list_loops<FT>::*loop;
-  };
-
-  Side_to_cross left_side(const Face_frame<FT>& c, const FT& known) const
+  // Make the children of n strips beyond a side of the face, in m_children; none at the border, and none beyond a side
+  // without length.
+  Strip_children<FT> children_on_left(std::size_t n, const Face_frame<FT>& c, const FT& known)
   {
     if(c.left == null_id || !(c.left_length > 0))
-      return {false, no_side(), nullptr};
-    return {true, {c.left_length, left_angle(c), rival(c.origin), rival(c.apex), c.length,
-                   m_field.arrival[c.apex].abscissa, known, m_maximum_distance}, &Strip_list_loops<FT>::cross_left};
+      return {0, Field::infinity()};
+    return make_children(n, {c.left_length, left_angle(c), rival(c.origin), rival(c.apex), c.length,
+                             m_field.arrival[c.apex].abscissa, known, m_maximum_distance},
+                         &Strip_list_loops<FT>::cross_left);
   }
 
-  Side_to_cross right_side(const Face_frame<FT>& c, const FT& known) const
+  Strip_children<FT> children_on_right(std::size_t n, const Face_frame<FT>& c, const FT& known)
   {
     if(c.right == null_id || !(c.right_length > 0))
-      return {false, no_side(), nullptr};
-    return {true, {c.right_length, right_angle(c), rival(c.apex), rival(c.target), c.length,
-                   m_field.arrival[c.apex].abscissa, known, m_maximum_distance}, &Strip_list_loops<FT>::cross_right};
+      return {0, Field::infinity()};
+    return make_children(n, {c.right_length, right_angle(c), rival(c.apex), rival(c.target), c.length,
+                             m_field.arrival[c.apex].abscissa, known, m_maximum_distance},
+                         &Strip_list_loops<FT>::cross_right);
   }
 
-  static Strip_side<FT> no_side()
+  Strip_children<FT> make_children(std::size_t n, const Strip_side<FT>& side, Cross Strip_list_loops<FT>::*loop)
   {
-    const Vertex_rival<FT> none(Field::infinity(), false);
-    return {FT(0), Side_angle<FT>(), none, none, FT(0), FT(0), Field::infinity(), FT(0)};
-  }
-
-  // Makes the children of n strips beyond a side of the face, in m_children.
-  Strip_children<FT> make_children(std::size_t n, const Side_to_cross& s)
-  {
-    if(!s.exists || n == 0)
+    if(n == 0)
       return {0, Field::infinity()};
     m_children.reserve(n, 0);
-    const Strip_children<FT> children = (m_loops(n).*s.loop)(m_crossing, n, s.side, m_children);
+    const Strip_children<FT> children = (m_loops(n).*loop)(m_crossing, n, side, m_children);
     m_number_created += children.number;
     return children;
   }

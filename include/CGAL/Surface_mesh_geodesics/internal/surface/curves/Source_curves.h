@@ -88,6 +88,16 @@ struct Source_curves
 {
   std::vector<Source_edge<FT>> edges;
   std::vector<Source_vertex<FT>> vertices;
+
+  // Calls visit(halfedge, offset) for one halfedge of each edge that has a length. (The ends of an edge without length
+  // are sources as well.)
+  template <typename Visit>
+  void for_each_edge_with_length(Visit visit) const
+  {
+    for(const Source_edge<FT>& e : edges)
+      if(e.length > 0)
+        visit(e.left != null_id ? e.left : e.right, e.offset);
+  }
 };
 
 } // namespace internal

@@ -90,8 +90,8 @@ typename Lanes<FT>::Number least_distance(const Strip_lanes<FT>& s)
 }
 
 // The shortest path to the apex through each strip, as arrival_of_ray() finds it (Strip.h), up to products that the
-// compiler fuses there.
-// `crossing` is where the ray through the apex crosses AB, `along_ray` the value of the linear function at the apex.
+// compiler fuses there. `crossing` is where the ray through the apex crosses AB, `along_ray` the value of the linear
+// function at the apex.
 template <typename FT>
 CGAL_SURFACE_MESH_GEODESICS_INLINE
 typename Lanes<FT>::Number path_to_apex(const Strip_lanes<FT>& s, const Face_frame<FT>& c,
