@@ -131,10 +131,7 @@ void test_cone(std::size_t sides, std::size_t rings, double total_angle, test_su
     // Inside the rim, which is at least as far from the apex as the middle of a side.
     const double rim = std::cos(cone.angle_of_side / 2);
     const Polar a{random.uniform(.05, .95) * rim, angle}, b{random.uniform(.05, .95) * rim, angle + width};
-    std::vector<Location> locations;
-    append_crossings(plane, a.cartesian(), b.cartesian(), locations);
-    locations.push_back(location_in_plane(b.cartesian()[0], b.cartesian()[1], plane));
-    const Distances d = distances(tm, {Curve(tm, locations)});
+    const Distances d = distances(tm, {Curve(tm, segment_in_plane(plane, a.cartesian(), b.cartesian()))});
     CHECK_NEAR(d.at(vertex_descriptor(0)), distance_to_segment({0, 0}, a.cartesian(), b.cartesian()), 1e-13);
     for(std::size_t i = 0; i < sides; ++i)
       for(std::size_t k = 0; k < rings; ++k)

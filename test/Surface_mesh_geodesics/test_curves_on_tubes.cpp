@@ -74,10 +74,7 @@ void test_tube(std::size_t sides, std::size_t rings, test_support::Random& rando
   {
     const Point_2 a{random.uniform(.01, .99) * perimeter, random.uniform(.01, .99) * height};
     const Point_2 b{random.uniform(.01, .99) * perimeter, random.uniform(.01, .99) * height};
-    std::vector<Location> locations;
-    append_crossings(plane, a, b, locations);
-    locations.push_back(location_in_plane(b[0], b[1], plane));
-    const Distances d = distances(tm, {Curve(tm, locations)});
+    const Distances d = distances(tm, {Curve(tm, segment_in_plane(plane, a, b))});
     for(std::size_t i = 0; i < sides; ++i)
       for(std::size_t k = 0; k < rings; ++k)
       {

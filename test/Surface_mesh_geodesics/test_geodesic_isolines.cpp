@@ -3,6 +3,7 @@
 // offsets, radius, obstacles and threads, also for levels at the distances of vertices.
 
 #include "expected_exceptions.h"
+#include "numbered_lines.h"
 #include "path_test_helpers.h"
 #include "test_meshes.h"
 #include "test_support.h"
@@ -24,48 +25,17 @@
 #include <utility>
 #include <vector>
 
+using namespace numbered_lines;
 using namespace test_meshes;
 
 namespace {
 
 using Point = Kernel::Point_3;
-using Line = std::vector<Point>;
-using Numbered_line = std::pair<std::size_t, Line>;
 using Location = Geodesic_paths::Face_location;
 using Vertex = Mesh::Vertex_index;
 using Face = Mesh::Face_index;
 
 const double infinity = std::numeric_limits<double>::infinity();
-
-// The lines of the class for paths, in the same form.
-std::vector<Numbered_line> lines_of_class(Geodesic_paths& paths, const std::vector<double>& levels)
-{
-  std::vector<Numbered_line> result;
-  for(std::size_t i = 0; i < levels.size(); ++i)
-  {
-    std::vector<Line> lines;
-    paths.isolines(levels[i], std::back_inserter(lines));
-    for(const Line& line : lines)
-      result.emplace_back(i, line);
-  }
-  return result;
-}
-
-bool is_closed(const Line& line) { return line.size() > 2 && line.front() == line.back(); }
-
-// Lines come in the same order, and each begins at the same point.
-void check_same_lines(const std::vector<Numbered_line>& lines, const std::vector<Numbered_line>& expected, double size)
-{
-  CHECK_EQUAL(lines.size(), expected.size());
-  for(std::size_t i = 0; i < (std::min)(lines.size(), expected.size()); ++i)
-  {
-    CHECK_EQUAL(lines[i].first, expected[i].first);
-    CHECK_EQUAL(is_closed(lines[i].second), is_closed(expected[i].second));
-    CHECK_EQUAL(lines[i].second.size(), expected[i].second.size());
-    for(std::size_t k = 0; k < (std::min)(lines[i].second.size(), expected[i].second.size()); ++k)
-      CHECK_NEAR(std::sqrt(CGAL::squared_distance(lines[i].second[k], expected[i].second[k])), 0., 1e-11 * size);
-  }
-}
 
 // Random levels up to the largest distance, in any order, and the distances of some vertices.
 std::vector<double> levels_for(const Mesh& tm, const Geodesic_paths& paths, test_support::Random& random)
@@ -97,16 +67,16 @@ void lines_are_those_of_the_class(const Mesh& tm, const std::string& name, std::
     from_faces.add_source_point(l);
   const std::vector<double> levels = levels_for(tm, from_vertex, random);
   const double size = size_of(tm);
-  std::vector<Numbered_line> lines;
+  Numbered_lines lines;
   CHECK(CGAL::Surface_mesh_geodesics::geodesic_isolines<Tag>(tm, v, levels, std::back_inserter(lines)));
-  check_same_lines(lines, lines_of_class(from_vertex, levels), size);
+  check_same_lines(lines, lines_of_class(from_vertex, levels), 1e-11 * size);
   lines.clear();
   std::vector<double> distances(tm.number_of_vertices());
   CHECK(CGAL::Surface_mesh_geodesics::geodesic_isolines<Tag>(
     tm, locations, levels, std::back_inserter(lines),
     CGAL::parameters::vertex_distance_map(
       boost::make_iterator_property_map(distances.begin(), get(boost::vertex_index, tm)))));
-  check_same_lines(lines, lines_of_class(from_faces, levels), size);
+  check_same_lines(lines, lines_of_class(from_faces, levels), 1e-11 * size);
   for(const Vertex w : tm.vertices())
   {
     const double d = from_faces.shortest_distance_to_source_points(w).first;
@@ -136,11 +106,11 @@ void an_offset_shifts_the_levels(const Mesh& tm)
   std::vector<double> shifted;
   for(const double level : levels)
     shifted.push_back(level + offsets[0]);
-  std::vector<Numbered_line> lines;
+  Numbered_lines lines;
   CGAL::Surface_mesh_geodesics::geodesic_isolines(tm, v, shifted, std::back_inserter(lines),
                                                   CGAL::parameters::source_offsets(offsets));
   CHECK(!lines.empty());
-  check_same_lines(lines, lines_of_class(paths, levels), size_of(tm));
+  check_same_lines(lines, lines_of_class(paths, levels), 1e-11 * size_of(tm));
 }
 
 // Up to the radius, with and without distances, lines are the same; beyond it there are none.
@@ -155,8 +125,8 @@ void a_radius_ends_the_run(const Mesh& tm, const std::string& name)
   {
     const double radius = part * farthest;
     const std::vector<double> levels{.7 * radius, radius, 1.001 * radius};
-    const std::vector<Numbered_line> expected = lines_of_class(paths, {levels[0], levels[1]});
-    std::vector<Numbered_line> lines, lines_alone, last_levels;
+    const Numbered_lines expected = lines_of_class(paths, {levels[0], levels[1]});
+    Numbered_lines lines, lines_alone, last_levels;
     std::vector<double> distances(tm.number_of_vertices());
     std::vector<std::size_t> sources(tm.number_of_vertices());
     const auto index = get(boost::vertex_index, tm);
@@ -165,13 +135,13 @@ void a_radius_ends_the_run(const Mesh& tm, const std::string& name)
       CGAL::parameters::maximum_distance(radius)
         .vertex_distance_map(boost::make_iterator_property_map(distances.begin(), index))
         .nearest_source_map(boost::make_iterator_property_map(sources.begin(), index)));
-    check_same_lines(lines, expected, size_of(tm));
+    check_same_lines(lines, expected, 1e-11 * size_of(tm));
     CGAL::Surface_mesh_geodesics::geodesic_isolines(tm, v, levels, std::back_inserter(lines_alone),
                                                     CGAL::parameters::maximum_distance(radius));
-    check_same_lines(lines_alone, expected, size_of(tm));
+    check_same_lines(lines_alone, expected, 1e-11 * size_of(tm));
     CGAL::Surface_mesh_geodesics::geodesic_isolines(tm, v, std::vector<double>{levels[0], levels[1]},
                                                     std::back_inserter(last_levels));
-    check_same_lines(last_levels, expected, size_of(tm));
+    check_same_lines(last_levels, expected, 1e-11 * size_of(tm));
     for(const Vertex w : tm.vertices())
     {
       const double d = paths.shortest_distance_to_source_points(w).first;
@@ -190,7 +160,7 @@ void a_run_ends_behind_the_last_level(const Mesh& tm)
   test_support::Scope scope("end of the run");
   using Statistics = CGAL::Surface_mesh_geodesics::Propagation_statistics;
   const Vertex v = *tm.vertices().begin();
-  std::vector<Numbered_line> lines;
+  Numbered_lines lines;
   Statistics near, all;
   std::vector<double> distances(tm.number_of_vertices());
   const auto map = boost::make_iterator_property_map(distances.begin(), get(boost::vertex_index, tm));
@@ -217,15 +187,15 @@ void lines_lead_around_obstacles(const Mesh& tm)
   paths.add_source_point(v);
   test_support::Random random(8);
   const std::vector<double> levels = levels_for(tm, paths, random);
-  std::vector<Numbered_line> lines;
+  Numbered_lines lines;
   CGAL::Surface_mesh_geodesics::geodesic_isolines(tm, v, levels, std::back_inserter(lines),
                                                   CGAL::parameters::faces_to_avoid(avoided));
   CHECK(!lines.empty());
-  check_same_lines(lines, lines_of_class(paths, levels), size_of(tm));
+  check_same_lines(lines, lines_of_class(paths, levels), 1e-11 * size_of(tm));
   const CGAL::Face_filtered_graph<Mesh> without(tm, rest);
-  std::vector<Numbered_line> expected;
+  Numbered_lines expected;
   CGAL::Surface_mesh_geodesics::geodesic_isolines(without, v, levels, std::back_inserter(expected));
-  check_same_lines(lines, expected, size_of(tm));
+  check_same_lines(lines, expected, 1e-11 * size_of(tm));
 }
 
 struct Canceling_visitor : CGAL::Surface_mesh_geodesics::Geodesic_default_visitor
@@ -237,7 +207,7 @@ struct Canceling_visitor : CGAL::Surface_mesh_geodesics::Geodesic_default_visito
 void nothing_is_written_without_a_result(const Mesh& tm)
 {
   test_support::Scope scope("no result");
-  std::vector<Numbered_line> lines;
+  Numbered_lines lines;
   std::vector<double> distances(tm.number_of_vertices(), 7.);
   const auto map = boost::make_iterator_property_map(distances.begin(), get(boost::vertex_index, tm));
   const std::vector<double> levels{.5}, offsets{1., 2.};

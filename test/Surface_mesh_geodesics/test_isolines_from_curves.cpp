@@ -6,6 +6,7 @@
 #include "curves_and_walls.h"
 #include "curves_in_plane.h"
 #include "expected_exceptions.h"
+#include "numbered_lines.h"
 #include "test_meshes.h"
 #include "test_support.h"
 
@@ -29,9 +30,8 @@
 using namespace curve_cases;
 namespace SMG = CGAL::Surface_mesh_geodesics;
 namespace np = CGAL::parameters;
+using namespace numbered_lines;
 using Point = Mesh::Point;
-using Line = std::vector<Point>;
-using Numbered_lines = std::vector<std::pair<std::size_t, Line>>;
 
 namespace {
 
@@ -50,8 +50,6 @@ Numbered_lines isolines(const Mesh& tm, const Curves& curves, const std::vector<
   return isolines(tm, curves, levels, np::default_values());
 }
 
-bool is_closed(const Line& line) { return line.size() > 2 && line.front() == line.back(); }
-
 double length(const Line& line)
 {
   double sum = 0;
@@ -68,11 +66,8 @@ void stadium()
   const test_support::Scope scope("stadium");
   const Mesh tm = to_face_graph(flat_patch(30, 30, .15, true, 1));
   const Point_2 a{11.3, 12.2}, b{18.1, 16.4};
-  std::vector<Location> locations;
-  append_crossings(tm, a, b, locations);
-  locations.push_back(location_in_plane(b[0], b[1], tm));
   const std::vector<double> levels{4., 1e-7, .5, 2., 10.5};
-  const Numbered_lines lines = isolines(tm, Curve(tm, locations), levels);
+  const Numbered_lines lines = isolines(tm, Curve(tm, segment_in_plane(tm, a, b)), levels);
   CHECK_EQUAL(lines.size(), levels.size());
   for(const auto& line : lines)
   {
@@ -128,33 +123,6 @@ void rings_of_tube()
 }
 
 // --- the class for paths ---
-
-void check_same_lines(const Numbered_lines& lines, const Numbered_lines& expected, double tolerance)
-{
-  CHECK_EQUAL(lines.size(), expected.size());
-  for(std::size_t i = 0; i < (std::min)(lines.size(), expected.size()); ++i)
-  {
-    const Line &line = lines[i].second, &other = expected[i].second;
-    CHECK_EQUAL(lines[i].first, expected[i].first);
-    CHECK_EQUAL(is_closed(line), is_closed(other));
-    CHECK_EQUAL(line.size(), other.size());
-    for(std::size_t k = 0; k < (std::min)(line.size(), other.size()); ++k)
-      CHECK_NEAR(std::sqrt(CGAL::squared_distance(line[k], other[k])), 0., tolerance);
-  }
-}
-
-Numbered_lines lines_of_class(const Paths& paths, const std::vector<double>& levels)
-{
-  Numbered_lines result;
-  for(std::size_t i = 0; i < levels.size(); ++i)
-  {
-    std::vector<Line> lines;
-    paths.isolines(levels[i], std::back_inserter(lines));
-    for(const Line& line : lines)
-      result.emplace_back(i, line);
-  }
-  return result;
-}
 
 // Levels up to the largest distance, in any order, and the distances of some vertices.
 std::vector<double> levels_for(const Distances& distance, test_support::Random& random)

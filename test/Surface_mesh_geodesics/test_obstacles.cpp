@@ -558,6 +558,18 @@ void test_vertices_inside()
     CHECK(is_inside([&] { geodesic_path(tm, from, to, std::back_inserter(points), np::faces_to_avoid(star)); }));
   }
   CHECK(samples.empty() && points.empty());
+  // A vertex of another component is not inside; nothing leads there.
+  const Mesh parts = to_face_graph(two_components_and_an_isolated_vertex());
+  const std::vector<face_descriptor> one(1, *faces(parts).begin());
+  const double infinity = std::numeric_limits<double>::infinity();
+  std::size_t unreached = 0;
+  for(const vertex_descriptor v : vertices(parts))
+    if(parts.is_isolated(v) || !(geodesic_distance(parts, vertex_descriptor(2), v) < infinity))
+    {
+      CHECK_EQUAL(geodesic_distance(parts, vertex_descriptor(2), v, np::faces_to_avoid(one)), infinity);
+      ++unreached;
+    }
+  CHECK(unreached > 1);
 }
 
 } // namespace

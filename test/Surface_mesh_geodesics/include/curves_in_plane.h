@@ -65,6 +65,15 @@ inline void append_crossings(const Mesh& tm, const Point_2& a, const Point_2& b,
     locations.push_back(c.second);
 }
 
+// The straight curve from a to b.
+inline std::vector<Location> segment_in_plane(const Mesh& tm, const Point_2& a, const Point_2& b)
+{
+  std::vector<Location> locations;
+  append_crossings(tm, a, b, locations);
+  locations.push_back(location_in_plane(b[0], b[1], tm));
+  return locations;
+}
+
 } // namespace curve_cases
 
 #endif // SURFACE_MESH_GEODESICS_CURVES_IN_PLANE_H
