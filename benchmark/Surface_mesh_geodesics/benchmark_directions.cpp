@@ -49,13 +49,6 @@ int main(int argc, char* argv[])
     return usage(argv[0], " mesh...   (--subdivide K: levels up to K)");
   print_head(settings, "distances and directions of all vertices from vertex 0, processor times",
              "mesh,subdivisions,faces,distances_ms,build_ms,directions_ms,directions_ratio,both_ratio");
-  for(const std::string& file : settings.meshes)
-    for(std::size_t level = 0; level <= settings.subdivisions; ++level)
-    {
-      Benchmark_mesh mesh;
-      if(!read_mesh(file, level, mesh))
-        return EXIT_FAILURE;
-      print_row(settings, file, level, mesh);
-    }
-  return EXIT_SUCCESS;
+  return print_rows_by_level(settings, [&](const std::string& file, std::size_t level, Benchmark_mesh& mesh)
+  { print_row(settings, file, level, mesh); });
 }

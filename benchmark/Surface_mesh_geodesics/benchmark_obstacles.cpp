@@ -106,13 +106,6 @@ int main(int argc, char* argv[])
   print_head(settings, "distances of all vertices from vertex 0 with faces to avoid, processor times of whole calls",
              "mesh,subdivisions,faces,faces_avoided,distances_ms,none_avoided_ms,avoided_ms,filtered_ms,rest_ms,"
              "none_ratio,avoided_ratio,filtered_ratio");
-  for(const std::string& file : settings.meshes)
-    for(std::size_t level = 0; level <= settings.subdivisions; ++level)
-    {
-      Benchmark_mesh mesh;
-      if(!read_mesh(file, level, mesh))
-        return EXIT_FAILURE;
-      print_row(settings, file, level, mesh);
-    }
-  return EXIT_SUCCESS;
+  return print_rows_by_level(settings, [&](const std::string& file, std::size_t level, Benchmark_mesh& mesh)
+  { print_row(settings, file, level, mesh); });
 }

@@ -73,17 +73,6 @@ int main(int argc, char* argv[])
     columns += ",predicted_" + std::to_string(n);
   }
   print_head(settings, "phases of the parallel propagation from vertex 0 with one thread, clock times", columns);
-  for(const std::string& file : settings.meshes)
-  {
-    for(std::size_t level = 0; level <= settings.subdivisions; ++level)
-    {
-      Benchmark_mesh mesh;
-      if(!read_mesh(file, level, mesh))
-      {
-        return EXIT_FAILURE;
-      }
-      print_row(file, level, mesh.number_of_faces(), measure(settings, mesh, sharing_cost), sharing_cost);
-    }
-  }
-  return EXIT_SUCCESS;
+  return print_rows_by_level(settings, [&](const std::string& file, std::size_t level, const Benchmark_mesh& mesh)
+  { print_row(file, level, mesh.number_of_faces(), measure(settings, mesh, sharing_cost), sharing_cost); });
 }

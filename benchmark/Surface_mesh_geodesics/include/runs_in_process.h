@@ -81,6 +81,22 @@ inline bool read_mesh(const std::string& file, std::size_t subdivisions, Benchma
   return true;
 }
 
+// Calls print_row(file, level, mesh) for each mesh of the settings on each level of subdivision. Returns the exit
+// status of the program, which a file that cannot be read ends.
+template <typename Print_row>
+int print_rows_by_level(const Settings& settings, Print_row print_row)
+{
+  for(const std::string& file : settings.meshes)
+    for(std::size_t level = 0; level <= settings.subdivisions; ++level)
+    {
+      Benchmark_mesh mesh;
+      if(!read_mesh(file, level, mesh))
+        return EXIT_FAILURE;
+      print_row(file, level, mesh);
+    }
+  return EXIT_SUCCESS;
+}
+
 // Returns random vertices, the same ones in every run.
 inline std::vector<Benchmark_vertex> random_vertices(const Benchmark_mesh& mesh, std::size_t n)
 {
