@@ -164,6 +164,7 @@ ISOLINE_TEST = "test_isolines"
 ISOLINES_TEST = "test_geodesic_isolines"
 SIGNED_ISOLINES = "test_signed_isolines"
 CURVE_ISOLINES = "test_isolines_from_curves"
+CROSSINGS = "test_isoline_crossings"
 BY_HAND = "test_Voronoi_by_hand"
 TRACE = "test_trace_geodesic"
 TRACE_OBSTACLES = "test_traces_around_obstacles"
@@ -608,6 +609,16 @@ MUTANTS = [
      "    m_strips.keep(h, s);\n    activate(f, nearest);\n",
      "    if(m_faces[f].state == ACTIVE)\n      m_strips.keep(h, s);\n",
      "strips that enter a face before any window are lost", (CURVE_ISOLINES,)),
+    ("edges_nearer_by_two_paths", FACE_DISTANCES,
+     "if(are_nearer && farther < value)",
+     "if(are_nearer && (std::min)(distance_by(c, first[c.side]), distance_by(c, last[c.side])) < value)",
+     "an edge whose ends are nearer is not looked at, although it is farther between them", (CROSSINGS,)),
+    ("convex_functions_taken_for_concave", FACE_DISTANCES,
+     "if((std::min)(in_middle, FT(2 * in_middle - farther)) < value)", "if((std::min)(in_middle, farther) < value)",
+     "lines that come near an edge between its ends and its middle are not found", (CROSSINGS,)),
+    ("no_bounds_of_convex_functions", FACE_DISTANCES,
+     "    return are_nearer;\n", "    return true;\n",
+     "edges along a line are halved to the end", (CROSSINGS,)),
     ("strips_not_released", STRIP_FIELD,
      "      m_first_free = i;\n", "",
      "the places of strips that have been released are not used again", (KEPT_WINDOWS,)),

@@ -2,7 +2,7 @@
 // missing ones are found, whatever the distances are.
 
 #include "curve_cases.h"
-#include "hostile_meshes.h"
+#include "run_from_curves.h"
 #include "test_meshes.h"
 #include "test_support.h"
 
@@ -15,8 +15,6 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 using namespace curve_cases;
@@ -28,28 +26,12 @@ namespace SMGI = SMG::internal;
 using Strips = SMGI::Edge_strip_field<double>;
 using Function = SMGI::Lower_bound_function<double>;
 
-// A mesh with curves, the distances from them, and the windows and strips of the propagation.
-struct Witness
+// What a certificate reads, and what it finds.
+struct Witness : Run_from_curves
 {
-  using Vertex_index_map = std::decay_t<decltype(get(boost::vertex_index, std::declval<const Mesh&>()))>;
-  using Face_index_map = std::decay_t<decltype(get(boost::face_index, std::declval<const Mesh&>()))>;
-  using Point_map = std::decay_t<decltype(get(CGAL::vertex_point, std::declval<const Mesh&>()))>;
-  using Shape = SMGI::Shape_from_points<double, Mesh, Point_map>;
-
   Witness(const Mesh& tm, const std::vector<Curve>& curves)
-    : surface(tm, get(boost::vertex_index, tm), get(boost::face_index, tm), Shape(tm, get(CGAL::vertex_point, tm)),
-              SMGI::One_block(), SMGI::Obstacles()),
-      insertion(surface.mesh())
-  {
-    const SMGI::Strip_path_run<double> path_run;
-    path_run.insert(surface.mesh(), insertion, surface.located_curves(curves, {}), arrivals);
-    windows.reset(surface.mesh().number_of_faces());
-    field.keeps_images = true;
-    SMG::Propagation_statistics statistics;
-    path_run.run(surface.mesh(), field, SMGI::Window_keeper<double>(windows), arrivals, false,
-                 [](std::size_t, double) { return true; }, statistics);
-    extents = SMGI::extents_of_components(surface.mesh());
-  }
+    : Run_from_curves(tm, curves), extents(SMGI::extents_of_components(surface.mesh()))
+  {}
 
   // The violation of the condition between points of a face, with the given strips.
   double violation(const Strips* strips) const
@@ -93,11 +75,6 @@ struct Witness
     return result;
   }
 
-  SMGI::Intrinsic_surface<double, Mesh, Vertex_index_map, Face_index_map> surface;
-  SMGI::Source_insertion<double> insertion;
-  SMGI::Curve_arrivals<double> arrivals;
-  SMGI::Vertex_distance_field<double> field;
-  SMGI::Edge_window_field<double> windows;
   std::vector<double> extents;
 };
 

@@ -27,7 +27,7 @@ Window window(Vertex_id root)
 std::vector<Vertex_id> roots(const Windows& windows, Halfedge_id h)
 {
   std::vector<Vertex_id> result;
-  windows.for_each(h, [&](const Window& w)
+  windows.for_each_window(h, [&](const Window& w)
   {
     const Window expected = window(w.root);
     CHECK(w.begin == expected.begin && w.end == expected.end);

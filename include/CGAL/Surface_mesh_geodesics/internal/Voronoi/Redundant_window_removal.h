@@ -420,14 +420,14 @@ private:
   void add_candidates(Halfedge_id h, Halfedge_id o, const FT& length)
   {
     m_candidates.clear();
-    m_windows.for_each(h, [&](const Kept_window<FT>& w)
+    m_windows.for_each_window(h, [&](const Kept_window<FT>& w)
     {
       m_candidates.emplace_back(h, w);
       m_edge.add(Edge_image<FT>{w.begin, w.end, w.image_x, w.image_depth,
                                 m_field->distance[w.root], owner(w.root)});
     });
     if(o != null_id)
-      m_windows.for_each(o, [&](const Kept_window<FT>& w)
+      m_windows.for_each_window(o, [&](const Kept_window<FT>& w)
       {
         m_candidates.emplace_back(o, w);
         m_edge.add(Edge_image<FT>{FT(length - w.end), FT(length - w.begin), FT(length - w.image_x), w.image_depth,

@@ -130,7 +130,7 @@ void for_each_site_image(const Intrinsic_mesh<FT>& mesh, const Vertex_distance_f
     if(!(face.length[k] > 0))
       continue;
     const Side_frame<FT> frame(corner[k], corner[next_corner(k)], face.length[k]);
-    windows.for_each(halfedge_of(f, k), [&](const Kept_window<FT>& w)
+    windows.for_each_window(halfedge_of(f, k), [&](const Kept_window<FT>& w)
     { visit(image_of_window(w, frame, field.distance[w.root], owner_of(w.root))); });
     strips.for_each(halfedge_of(f, k), [&](std::size_t, const Strip<FT>& s, Vertex_id site)
     { visit(image_of_strip(s, frame, longest_side(face), site)); });

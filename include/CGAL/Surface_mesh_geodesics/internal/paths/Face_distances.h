@@ -16,6 +16,12 @@
 // Along an edge, points are asked for in narrower and narrower parts. Each candidate, a corner, a window or a strip, is
 // the length of a path, so that it changes by no more than the length walked. One that is farther than the nearest one
 // by more than twice the width of a part is nowhere the nearest there, and is not looked at.
+//
+// *Convexity.* A path of a candidate leads to a point a of an interval and on to the point p of the face; the candidate
+// is the minimum over a. The length is the sum of a norm or a linear function of a, and of the norm of p - a: convex in
+// a and p together. So its minimum over a, an interval, is convex in p. Three values of a convex function bound it from
+// below between them. On an edge along a line all candidates are constant: the bound tells at once that the line does
+// not cross it, where Lipschitz bounds would halve it to the end.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
@@ -24,7 +30,6 @@
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
-#include <CGAL/Surface_mesh_geodesics/internal/window/Face_windows.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Kept_window.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/strips/Edge_strip_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/strips/Strip.h>
@@ -42,15 +47,17 @@ namespace internal {
 // of that edge, as Isoline_crossings wants it. What the distances are made of is copied, so that windows and strips may
 // be released meanwhile.
 //
-// `Strips` is Edge_strip_field<FT> if curves are among the sources, else No_strip_field.
+// `Strips` is Edge_strip_field<FT> if curves may be among the sources, else No_strip_field.
 //
 // Invariant: the first m_active of m_candidates may be nearest in the part that is looked at.
 template <typename FT, typename Strips = No_strip_field>
 class Face_distances
 {
 public:
-  // Reads a face. Takes time linear in the number of its windows and strips.
-  void start(const Intrinsic_mesh<FT>& mesh, const Vertex_distance_field<FT>& field, const Face_windows<FT>& windows,
+  // Reads a face. `windows` is a Face_windows<FT> or an Edge_window_field<FT>. Takes time linear in the number of the
+  // windows and strips of the face.
+  template <typename Windows>
+  void start(const Intrinsic_mesh<FT>& mesh, const Vertex_distance_field<FT>& field, const Windows& windows,
              const Strips& strips, Face_id f)
   {
     m_candidates.clear();
@@ -58,7 +65,7 @@ public:
     {
       m_frame[k] = mesh.face_frame(halfedge_of(f, k));
       m_candidates.push_back(Candidate{Kept_window<FT>(), field.distance[m_frame[k].origin], k, CORNER});
-      windows.for_each(halfedge_of(f, k), [&](const Kept_window<FT>& w)
+      windows.for_each_window(halfedge_of(f, k), [&](const Kept_window<FT>& w)
       { m_candidates.push_back(Candidate{w, field.distance[w.root], k, WINDOW}); });
       strips.for_each_strip(halfedge_of(f, k), [&](const Strip<FT>& s)
       {
@@ -70,7 +77,7 @@ public:
   }
 
   // Returns the distance of the point with the barycentric coordinates b; infinity if no source reaches it.
-  // Requires: b >= 0, and no edge has been started since start().
+  // Requires: b >= 0.
   FT at(const std::array<FT, 3>& b) const
   {
     const std::array<std::array<FT, 2>, 3> p = points_in_frames(b);
@@ -97,7 +104,7 @@ public:
   // both as fractions of the edge. go_back() with an earlier mark knows them again. A margin covers rounding.
   FT at(const FT& t, const FT& width)
   {
-    const std::array<std::array<FT, 2>, 3> p = points_in_frames(coordinates_on_halfedge(m_halfedge, t));
+    const auto p = points_on_edge(t);
     FT distance = Vertex_distance_field<FT>::infinity();
     for(std::size_t i = 0; i < m_active; ++i)
     {
@@ -112,6 +119,30 @@ public:
       std::partition(m_candidates.begin(), end, [&](const Candidate& c) { return c.distance <= farthest; })
       - m_candidates.begin());
     return distance;
+  }
+
+  // May distances between the positions s < t be on the other side of the value than those at s and at t, which are
+  // nearer, or farther? They are nearer if one path to both is. They are farther if all candidates are, by their values
+  // at s, at t and in the middle: between the middle and one of these, a convex function is above the line through the
+  // middle and the other one. The bound errs by the errors of three distances.
+  // Requires: candidates that are the nearest between s and t have not been forgotten.
+  bool may_cross(const FT& s, const FT& t, bool are_nearer, const FT& value) const
+  {
+    const auto first = points_on_edge(s), middle = points_on_edge(FT((s + t) / 2)), last = points_on_edge(t);
+    for(std::size_t i = 0; i < m_active; ++i)
+    {
+      const Candidate& c = m_candidates[i];
+      const FT farther = (std::max)(distance_by(c, first[c.side]), distance_by(c, last[c.side]));
+      if(are_nearer && farther < value)
+        return false;
+      if(!are_nearer)
+      {
+        const FT in_middle = distance_by(c, middle[c.side]);
+        if((std::min)(in_middle, FT(2 * in_middle - farther)) < value)
+          return true;
+      }
+    }
+    return are_nearer;
   }
 
 private:
@@ -132,6 +163,11 @@ private:
   std::array<std::array<FT, 2>, 3> points_in_frames(const std::array<FT, 3>& b) const
   {
     return {{point_in_frame(m_frame[0], b, 0), point_in_frame(m_frame[1], b, 1), point_in_frame(m_frame[2], b, 2)}};
+  }
+
+  std::array<std::array<FT, 2>, 3> points_on_edge(const FT& t) const
+  {
+    return points_in_frames(coordinates_on_halfedge(m_halfedge, t));
   }
 
   // Returns the length of the path through a candidate to a point in the frame of its side.

@@ -12,7 +12,8 @@
 
 // Where an isoline crosses an edge. Along an edge the distance is known at every point, and it is 1-Lipschitz: it
 // changes by no more than the length walked. So a part of an edge between two points with known distances is either
-// discarded, because it cannot hold a point of the line, or halved. A crossing that separates nearer points from
+// discarded, because it cannot hold a point of the line, or halved. Where this bound does not suffice, the convexity of
+// the distances that make up the minimum is looked at (Face_distances.h). A crossing that separates nearer points from
 // farther ones is found down to the resolution, whatever the number of windows is. Pairs of crossings are searched for
 // only down to a coarser width, because an edge that the line touches would be halved without end. In a part of that
 // width, chords find the crossing in a few steps.
@@ -55,7 +56,8 @@ bool may_hold_isoline(const FT& length, const FT& d, const FT& e, const FT& valu
 
 // Finds the crossings of an edge. `Distance` is a policy: distance.at(t, width) is the distance at the fraction t of
 // the edge, between 0 and 1. Afterwards only points within `width` of t are asked for, until distance.go_back(mark) is
-// called with the mark that distance.mark() returned before.
+// called with the mark that distance.mark() returned before. distance.may_cross(s, t, are_nearer, value) tells whether
+// a line at the value may come between two points on the same side of it.
 template <typename FT, typename Distance>
 class Isoline_crossings
 {
@@ -77,6 +79,9 @@ public:
     CGAL_expensive_assertion(s < t);
     if(!may_hold_isoline(FT((t - s) * m_length), ds, dt, m_value))
       return;
+    const bool are_nearer = ds < m_value;
+    if(are_nearer == (dt < m_value) && !m_distance.may_cross(s, t, are_nearer, m_value))
+      return;
     const auto mark = m_distance.mark();
     if(t - s > Tolerance<FT>::isoline_touching())
     {
@@ -84,7 +89,7 @@ public:
       find(s, ds, middle, dm, add);
       find(middle, dm, t, dt, add);
     }
-    else if((ds < m_value) != (dt < m_value))
+    else if(are_nearer != (dt < m_value))
       add(crossing(s, ds, t, dt));
     m_distance.go_back(mark);
   }

@@ -14,9 +14,10 @@
 // nearer points from farther ones. isoline_crossings.h finds their points on edges, Isoline_graph.h joins them.
 // (Isoline_sweep traces the lines of given distances while the propagation runs, which takes less memory.)
 
+#include <CGAL/Surface_mesh_geodesics/internal/paths/Face_distances.h>
 #include <CGAL/Surface_mesh_geodesics/internal/paths/Isoline_graph.h>
-#include <CGAL/Surface_mesh_geodesics/internal/paths/distance_at_location.h>
 #include <CGAL/Surface_mesh_geodesics/internal/paths/isoline_crossings.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Edge_window_field.h>
@@ -72,12 +73,18 @@ public:
           if(m_mesh.is_first_of_edge(halfedge_of(f, k)))
             find_points(halfedge_of(f, k), value);
         m_graph.connect(f, 0, m_field.distance[m_mesh.face(f).vertex[0]] < value,
-                        [&](const std::array<FT, 3>& b) { return distance_at(f, b) < value; });
+                        [&](const std::array<FT, 3>& b)
+        {
+          start(f);
+          return m_distances.at(b) < value;
+        });
       }
     m_graph.for_each_line(0, line);
   }
 
 private:
+  using Distances = Face_distances<FT, Edge_strip_field<FT>>;
+
   // Returns whether an edge of a face may hold a point of the line. Both faces of an edge decide alike for that edge.
   bool may_hold(Face_id f, const FT& value) const
   {
@@ -92,32 +99,25 @@ private:
     return false;
   }
 
-  FT distance_at(Face_id f, const std::array<FT, 3>& b) const
+  // Reads what the distances in a face are made of, unless that has been done for this face.
+  void start(Face_id f)
   {
-    return arrival_at_location(m_mesh, m_field, m_windows, f, b, m_strips).distance;
+    if(f != m_face)
+      m_distances.start(m_mesh, m_field, m_windows, m_strips != nullptr ? *m_strips : m_no_strips, f);
+    m_face = f;
   }
-
-  // What Isoline_crossings asks. All windows of the face are looked at for each point.
-  struct Distances_on_edge
-  {
-    const Isoline_tracer& tracer;
-    Halfedge_id halfedge;
-
-    FT at(const FT& t, const FT&) const
-    {
-      return tracer.distance_at(face_of(halfedge), coordinates_on_halfedge(halfedge, t));
-    }
-    static bool mark() { return true; }
-    static void go_back(bool) {}
-  };
 
   void find_points(Halfedge_id h, const FT& value)
   {
-    Distances_on_edge distance{*this, h};
-    const auto add = [&](const FT& t) { m_graph.add(0, t); };
+    const FT length = m_mesh.length(h), d = m_field.distance[m_mesh.source(h)], e = m_field.distance[m_mesh.target(h)];
     m_graph.begin_edge(h);
-    Isoline_crossings<FT, Distances_on_edge>(m_mesh.length(h), value, m_resolution, distance)
-      .find(FT(0), m_field.distance[m_mesh.source(h)], FT(1), m_field.distance[m_mesh.target(h)], add);
+    if(may_hold_isoline(length, d, e, value))
+    {
+      start(face_of(h));
+      m_distances.start_edge(h);
+      const auto add = [&](const FT& t) { m_graph.add(0, t); };
+      Isoline_crossings<FT, Distances>(length, value, m_resolution, m_distances).find(FT(0), d, FT(1), e, add);
+    }
     m_graph.end_edge();
   }
 
@@ -125,8 +125,11 @@ private:
   const Field& m_field;
   const Windows& m_windows;
   const Edge_strip_field<FT>* m_strips;
+  const Edge_strip_field<FT> m_no_strips;
   FT m_resolution;
   Isoline_graph<FT> m_graph;
+  Face_id m_face = null_id; // the one that m_distances has read last
+  Distances m_distances;
 };
 
 } // namespace internal

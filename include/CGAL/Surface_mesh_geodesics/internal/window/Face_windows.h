@@ -108,7 +108,7 @@ public:
 
   // Calls visit(window) for the windows of h, in the order in which they were added. `visit` adds and releases none.
   template <typename Visit>
-  void for_each(Halfedge_id h, Visit visit) const
+  void for_each_window(Halfedge_id h, Visit visit) const
   {
     const std::uint32_t last = m_last_chunk[dense_index(h)];
     if(last == null_id)
