@@ -230,7 +230,7 @@ const Command distances_command{
   "it), the index of the source, counted from 0 in the order of the options below (-1 for none), and the vertex of\n"
   "the source, or its face and barycentric coordinates. Files with geometry have the distances, too; unreached is\n"
   "NaN. Where sources are curves, vertex and face are those of the nearest point of the curve. With --signed there\n"
-  "are distances only.",
+  "are distances only, and '-inf' stands for vertices beyond the radius on the left.",
   "  surface_mesh_geodesics distances bunny.off --source 0 > distances.csv\n"
   "  surface_mesh_geodesics distances bunny.off --source-point -0.1,0.1,0 --snap -o colors.ply --lines lines.obj\n"
   "  surface_mesh_geodesics distances bunny.off --source-random 10 --seed 7 --radius 0.2 -o near.csv\n"

@@ -161,6 +161,66 @@ void hidden_sites_are_found(const Indexed_mesh& indexed, std::uint64_t seed)
   CHECK(number > 3);
 }
 
+// A curve that another one crosses twice, like a V, in one face. The diagram has lost the part of its cell between the
+// crossings, with all arcs around it: it belongs to the V.
+struct Diagram_without_part : Voronoi
+{
+  Diagram_without_part(const Mesh& tm, std::size_t corner) : Voronoi(tm), corner_of_x(corner), paths_to_V(tm) {}
+
+  bool is_between(const Face_location& l) const { return l.second[corner_of_x] > .31 && l.second[corner_of_x] < .33; }
+  bool is_lost(const Face_location& l) const { return is_between(l) && Voronoi::nearest_site(l) == 0; }
+
+  std::size_t nearest_site(vertex_descriptor v) const { return Voronoi::nearest_site(v); }
+  std::size_t nearest_site(const Face_location& l) const { return is_lost(l) ? 1 : Voronoi::nearest_site(l); }
+  double distance_to_nearest_site(vertex_descriptor v) const { return Voronoi::distance_to_nearest_site(v); }
+  double distance_to_nearest_site(const Face_location& l) const
+  {
+    return is_lost(l) ? paths_to_V.shortest_distance_to_source_points(l.first, l.second).first
+                      : Voronoi::distance_to_nearest_site(l);
+  }
+
+  std::vector<Arc> arcs(face_descriptor) const { return arcs(); }
+  std::vector<Arc> arcs() const
+  {
+    std::vector<Arc> result;
+    for(const Arc& a : Voronoi::arcs())
+      if(!is_between(a.point(.5)))
+        result.push_back(a);
+    return result;
+  }
+
+  std::size_t corner_of_x;
+  mutable Paths paths_to_V;
+};
+
+void lost_part_of_curve_is_found()
+{
+  const test_support::Scope scope("part between crossings");
+  Mesh tm;
+  const auto a = tm.add_vertex({0, 0, 0}), b = tm.add_vertex({1, 0, 0}), c = tm.add_vertex({0, 1, 0});
+  const face_descriptor f = tm.add_face(a, b, c);
+  const auto place = [&](double x, double y)
+  {
+    Location l(f, {0, 0, 0});
+    auto h = halfedge(f, tm);
+    for(std::size_t k = 0; k < 3; ++k, h = next(h, tm))
+      l.second[k] = source(h, tm) == a ? 1 - x - y : source(h, tm) == b ? x : y;
+    return l;
+  };
+  const Curve straight(tm, std::vector<Location>{place(.2, .3), place(.68, .3)});
+  const Curve V(tm, std::vector<Location>{place(.3, .35), place(.32, .25), place(.34, .35)});
+  const Location at_b = place(1, 0);
+  Diagram_without_part diagram(tm, at_b.second[0] == 1 ? 0 : at_b.second[1] == 1 ? 1 : 2);
+  diagram.add_site(straight);
+  diagram.add_site(V);
+  diagram.paths_to_V.add_source_curve(V);
+  CHECK(certificate_of(static_cast<const Voronoi&>(diagram)).is_certified());
+  const Certificate c_of_part = certificate_of(diagram);
+  CHECK(c_of_part.worst_violation(Condition::NEAREST) > 1e-3);
+  CHECK(c_of_part.worst_violation(Condition::ARCS) <= Certificate::default_tolerance);
+  CHECK(c_of_part.worst_violation(Condition::CURVES) <= Certificate::default_tolerance);
+}
+
 } // namespace
 
 int main()
@@ -170,5 +230,6 @@ int main()
   faults_are_found(torus(2., 1., 12, 8), 2);
   hidden_sites_are_found(saddle_patch(6), 3);
   hidden_sites_are_found(icosphere(1), 4);
+  lost_part_of_curve_is_found();
   return test_result();
 }

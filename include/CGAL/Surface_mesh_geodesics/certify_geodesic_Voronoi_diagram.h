@@ -38,10 +38,11 @@ with the lower bound that is proved:
 - Points of an arc and vertices of the diagram have the stated distance from their sites: a path from each site is as
   long.
 - No other site is nearer to any of them: the lower bound is not less.
-- The same holds between the points of an arc: both sites have an image that all points of the piece of a hyperbola or
-  line between two points see, and the lower bound is not less anywhere on it.
+- The same holds between the points of an arc: both sites have an image that all points of the piece of a hyperbola,
+  parabola or line between two points see, and the lower bound is not less anywhere on it.
 - Each vertex of the mesh has the stated nearest site and distance, and so have the sites, and points of all faces: one
-  point in each face, and eight in a face that arcs cross.
+  point in each face, and eight in a face that arcs cross. Of a site that is a curve, points in each part along which no
+  other site is as near are looked at.
 - Of several sites at one point, the one with the largest weight has the cell, and of equal ones the one with the lowest
   index. The same holds for sites that are equal up to rounding (see `Surface_mesh_geodesic_Voronoi_diagram`).
 - The edges around a cell meet end to end, have the cell on their left, and are closed or end at the border of the mesh;

@@ -145,8 +145,8 @@ How to write sequences of parameters, and which one comes first: \ref Surface_me
 
 \return for each condition, how far it is violated and where. The function does not throw because distances are wrong.
 
-\throws Invalid_geodesic_input if the mesh, a source, a curve, the radius, an offset or a face to avoid is invalid, as
-        `geodesic_distances()` does
+\throws Invalid_geodesic_input if the mesh, a source, a curve, the radius, an offset, or a face or an edge to avoid is
+        invalid, as `geodesic_distances()` does
 \throws std::bad_alloc if there is not enough memory for the windows
 */
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename VertexDistanceMap, typename Sources,

@@ -154,7 +154,8 @@ struct Wrong_diagram : Voronoi
   }
 };
 
-inline Certificate certificate_of(const Wrong_diagram& diagram)
+template <typename Diagram>
+Certificate certificate_of(const Diagram& diagram)
 {
   return SMG::internal::Private_access::make<Certificate>(
     SMG::internal::certify_diagram_with_points<CGAL::Surface_mesh_geodesic_paths, Paths_traits, CGAL::Sequential_tag>(

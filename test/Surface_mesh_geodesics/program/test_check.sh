@@ -59,7 +59,7 @@ awk 'BEGIN {
 }' > from_border.csv
 is_silent check "$grid" --source-border --distances from_border.csv > border.csv
 is_silent check "$grid" --source-border > same.csv
-equals "$(column border.csv condition)" "$(column same.csv condition)"
+equals "$(column border.csv checks)" "$(column same.csv checks)"
 printf 'v 0.1 0.2 0\nv 0.9 0.7 0\nv 0.3 0.8 0\nl 1 2 3 1\n' > curve.obj
 is_silent distances "$grid" --source-curve curve.obj --source 0 --radius 0.4 -o from_curve.csv
 is_silent check "$grid" --source-curve curve.obj --source 0 --radius 0.4 --distances from_curve.csv > curve.csv

@@ -22,7 +22,9 @@
 //
 // This proves the diagram, if the cell on the side of an arc is that which samples there have: a site k that is nearest
 // at a point x of another cell is so along the whole path from x to k. The path does not cross an arc, as nothing is
-// nearer there than the sites of the arc. So k itself lies in the wrong cell, and sites are samples.
+// nearer there than the sites of the arc. So k itself lies in the wrong cell, and sites are samples. Of a curve, a part
+// lies there, which ends where another site is as near; so samples lie in each part along which no other site is
+// (Site_witness::for_each_point_of_curves()).
 //
 // The steps of run():
 // 1. check_samples() compares each sample with the bound and with a path from each site that it names.
@@ -77,9 +79,12 @@ public:
   Diagram_distance_check(const Diagram& diagram, Witness& witness, const Extents& extents,
                          Diagram_violations& violations)
     : m_diagram(diagram), m_witness(witness), m_extents(extents), m_violations(violations), m_samples(diagram),
-      m_largest_weight(largest_weight_of(diagram)), m_is_confirmed(m_samples.sites().size(), 0),
-      m_needs_run(diagram.number_of_sites(), 0)
-  {}
+      m_largest_weight(largest_weight_of(diagram)), m_needs_run(diagram.number_of_sites(), 0)
+  {
+    witness.for_each_point_of_curves([&](std::size_t site, std::size_t segment, double t)
+    { m_samples.add_point_of_curve(site, segment, t); });
+    m_is_confirmed.assign(m_samples.sites().size(), 0);
+  }
 
   // Takes time linear in the number of samples, times the number of windows of a face, and that of a propagation for
   // each site with a missing path.
@@ -390,7 +395,7 @@ private:
   Witness& m_witness;
   const Extents& m_extents;
   Diagram_violations& m_violations;
-  const Samples m_samples;          // what the diagram states
+  Samples m_samples;                // what the diagram states
   const double m_largest_weight;    // in absolute value
   std::vector<char> m_is_confirmed; // by claim: an entry of Diagram_samples::sites()
   std::vector<char> m_needs_run;    // by site

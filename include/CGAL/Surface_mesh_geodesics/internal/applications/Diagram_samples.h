@@ -12,7 +12,8 @@
 
 // The points of the surface at which the certifier compares a geodesic Voronoi diagram with distances from each site,
 // and what the diagram says of them: points of arcs, vertices of the diagram, vertices of the mesh, points of all
-// faces, and the sites: of curves, the ends and the middle of each segment.
+// faces, and the sites: of curves, the ends and the middle of each segment, and the points that add_point_of_curve()
+// adds.
 //
 // A point of a wall has a distance on each of its sides, and queries tell the least one. The diagram says the same of
 // vertices of the mesh. An arc is on one side, so its points on walls are left out. Both of its ends may be such
@@ -44,10 +45,10 @@ namespace internal {
 // a certificate can be repeated.
 //
 // There are seven samples for each arc, fewer if it ends at a wall, one for each vertex of the diagram and of the mesh,
-// one or eight for each face, and one for each site, in this order. Points of faces that are not vertices make the
-// diagram propagate a second time, to keep its windows.
+// one or eight for each face, and one for each point or three for each segment of a curve, in this order. Points of
+// faces that are not vertices make the diagram propagate a second time, to keep its windows.
 //
-// The diagram is referred to, in the constructor only.
+// The diagram is referred to.
 template <typename Diagram>
 class Diagram_samples
 {
@@ -88,9 +89,25 @@ public:
         add_points_of_face(f);
     for(std::size_t i = 0; i < m_diagram.number_of_sites(); ++i)
       if(m_diagram.site_curve(i) != nullptr)
-        add_points_of_curve(*m_diagram.site_curve(i));
+      {
+        // A curve of one vertex has no segments; the vertex is a sample already.
+        for(std::size_t s = 0; s < m_diagram.site_curve(i)->segments().size(); ++s)
+          for(const double t : {0., 0.5, 1.})
+            add_point_of_curve(i, s, t);
+      }
       else if(m_diagram.site(i).first != Graph_traits::null_face())
         add_location(m_diagram.site(i));
+  }
+
+  // Adds a point of the curve of site i, as Surface_curve::location() names it, unless it is on a wall or in a face to
+  // avoid.
+  void add_point_of_curve(std::size_t i, std::size_t segment, double t)
+  {
+    const auto l = m_diagram.site_curve(i)->location(segment, t);
+    const Face_location location(l.first, typename Diagram::Barycentric_coordinates{
+                                            FT(l.second[0]), FT(l.second[1]), FT(l.second[2])});
+    if(!m_diagram.avoids_face(l.first) && !is_on_wall(location))
+      add_location(location);
   }
 
   const std::vector<Sample>& samples() const { return m_samples; }
@@ -128,22 +145,6 @@ private:
       const Face_location l(f, typename Diagram::Barycentric_coordinates{FT(1 - p[0] - p[1]), FT(p[0]), FT(p[1])});
       add_location(l);
     }
-  }
-
-  // A curve of one vertex has no segments; the vertex is a sample already. The ends and the middle of each segment tell
-  // whether the cell of a curve has been overlooked: along a segment, another cell begins where an arc crosses it only.
-  template <typename Curve>
-  void add_points_of_curve(const Curve& curve)
-  {
-    for(std::size_t s = 0; s < curve.segments().size(); ++s)
-      for(const double t : {0., 0.5, 1.})
-      {
-        const auto l = curve.location(s, t);
-        const Face_location location(l.first, typename Diagram::Barycentric_coordinates{
-                                                FT(l.second[0]), FT(l.second[1]), FT(l.second[2])});
-        if(!m_diagram.avoids_face(l.first) && !is_on_wall(location))
-          add_location(location);
-      }
   }
 
   // Adds a location, with the one site that the diagram names for it.

@@ -38,6 +38,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/applications/Diagram_conditions.h>
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Distance_checks.h>
+#include <CGAL/Surface_mesh_geodesics/internal/certificate/Edge_distance_function.h>
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Face_paths.h>
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Lower_bound_check.h>
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Lower_bound_function.h>
@@ -199,6 +200,34 @@ public:
     m_curves.curves.for_each_edge_with_length([&](Halfedge_id h, double offset_of_edge)
     { record_excess_on_edge(m_function, h, offset_of_edge, checks.extents(), on_edges); });
     add(on_edges, result);
+  }
+
+  // Calls visit(i, segment, t) for points of the curves that show whether their cells are complete: the ends and the
+  // middle of each piece of the lower bound on each edge, of curve i, at t of one of its segments (Surface_curve).
+  // Along an edge the nearest site changes at the ends of pieces only; other curves cross it in its ends. Linear in the
+  // number of pieces. Requires: prove() has been called.
+  template <typename Visit>
+  void for_each_point_of_curves(Visit visit) const
+  {
+    std::vector<Distance_piece<double>> pieces;
+    for(const Source_edge<double>& e : m_curves.curves.edges)
+    {
+      const auto visit_at = [&](double t)
+      {
+        visit(m_site_of_source[e.curve], std::size_t(e.segment),
+              e.first_parameter + (e.last_parameter - e.first_parameter) * t);
+      };
+      visit_at(0);
+      visit_at(1);
+      if(!(e.length > 0))
+        continue;
+      m_function.read(e.left != null_id ? e.left : e.right, e.left == null_id, pieces);
+      for(const Distance_piece<double>& p : pieces)
+      {
+        visit_at(p.begin / e.length);
+        visit_at((p.begin + p.end) / 2 / e.length);
+      }
+    }
   }
 
   // --- paths, once they are proved ---

@@ -143,9 +143,8 @@ public:
   template <typename Line>
   void for_each_line(std::uint32_t level, Line& line) const
   {
-    const auto is_before = [](const Node& p, std::uint32_t l) { return p.level < l; };
-    const auto first = std::lower_bound(m_points.begin(), m_points.end(), level, is_before);
-    const auto last = std::lower_bound(first, m_points.end(), level + 1, is_before);
+    const auto first = first_of_level(m_points.begin(), m_points.end(), level);
+    const auto last = first_of_level(first, m_points.end(), level + 1);
     const std::uint32_t begin = static_cast<std::uint32_t>(first - m_points.begin());
     const std::uint32_t end = static_cast<std::uint32_t>(last - m_points.begin());
     std::vector<char> is_done(end - begin, 0);
@@ -177,7 +176,15 @@ private:
     std::array<std::uint32_t, 2> neighbors;
   };
 
-  // Finds the crossings of a level on the edges of a face, in their order around it from corner 0 on.
+  // The first point of a level, or of the first one behind it, among points that are sorted by level.
+  template <typename Iterator>
+  static Iterator first_of_level(Iterator begin, Iterator end, std::uint32_t level)
+  {
+    return std::lower_bound(begin, end, level, [](const Node& p, std::uint32_t l) { return p.level < l; });
+  }
+
+  // Finds the crossings of a level on the edges of a face, in their order around it from corner 0 on. Those of an edge
+  // are sorted by level, so that it does not matter how many levels cross the face.
   void find_points_around(Face_id f, std::uint32_t level)
   {
     m_around.clear();
@@ -186,10 +193,12 @@ private:
       const Halfedge_id h = halfedge_of(f, k);
       const bool is_reversed = !m_mesh->is_first_of_edge(h);
       const Index_range* const range = m_of_edge.find(is_reversed ? m_mesh->opposite(h) : h);
+      if(range == nullptr)
+        continue;
       const std::size_t first = m_around.size();
-      for(std::uint32_t i = 0; range != nullptr && i < range->size; ++i)
-        if(m_points[range->first + i].level == level)
-          m_around.push_back(range->first + i);
+      const auto begin = m_points.begin() + static_cast<std::ptrdiff_t>(range->first), end = begin + range->size;
+      for(auto it = first_of_level(begin, end, level); it != end && it->level == level; ++it)
+        m_around.push_back(static_cast<std::uint32_t>(it - m_points.begin()));
       if(is_reversed)
         std::reverse(m_around.begin() + static_cast<std::ptrdiff_t>(first), m_around.end());
     }
