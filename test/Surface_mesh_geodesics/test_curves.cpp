@@ -20,6 +20,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -286,6 +287,12 @@ struct Canceling_visitor
   bool go_further() { return ++calls < 3; }
 };
 
+struct Throwing_visitor
+  : CGAL::Surface_mesh_geodesics::Geodesic_default_visitor
+{
+  bool go_further() { throw std::runtime_error("no"); }
+};
+
 void test_limits()
 {
   namespace np = CGAL::parameters;
@@ -326,6 +333,38 @@ void test_limits()
   Distances parallel;
   SMG::geodesic_distances<CGAL::Parallel_if_available_tag>(tm, boost::make_assoc_property_map(parallel), curves[0]);
   CHECK(parallel == all);
+}
+
+// One solver after the other curves, which divide the mesh into more faces or fewer, near and far: nothing is left of
+// the runs before, whether they were complete, within a radius, canceled or ended by an exception.
+void test_many_runs()
+{
+  namespace np = CGAL::parameters;
+  test_support::Random random(9);
+  const Mesh tm = to_face_graph(noisy_sphere(2, .2, 6));
+  Solver solver(tm);
+  for(int i = 0; i < 40; ++i)
+  {
+    const std::vector<Curve> curves{Curve(tm, random_locations(tm, 1 + random.index(12), random))};
+    Canceling_visitor canceling;
+    if(random.index(4) == 0)
+      CHECK(!solver.compute_distances(curves, np::visitor(std::ref(canceling))));
+    if(random.index(4) == 0)
+      CHECK(throws<std::runtime_error>([&] { solver.compute_distances(curves, np::visitor(Throwing_visitor())); }));
+    if(random.index(4) == 0)
+      solver.compute_distances(vertex_descriptor(0));
+    const double radius = random.index(2) == 0 ? .3 : infinity;
+    solver.compute_distances(curves, np::maximum_distance(radius));
+    Solver fresh(tm);
+    fresh.compute_distances(curves);
+    for(const vertex_descriptor v : vertices(tm))
+    {
+      const double expected = fresh.distance(v) <= radius ? fresh.distance(v) : infinity;
+      CHECK_EQUAL(solver.distance(v), expected);
+      if(expected < infinity)
+        CHECK_EQUAL(solver.nearest_curve_point(v).segment, fresh.nearest_curve_point(v).segment);
+    }
+  }
 }
 
 // --- scales, numbers, lengths, obstacles ---
@@ -537,6 +576,7 @@ int main()
   test_offsets_and_feet();
   points_on_farther_curves();
   test_limits();
+  test_many_runs();
   test_invariance();
   test_obstacles();
   test_signs_in_plane();

@@ -309,6 +309,20 @@ void points_and_indices_may_come_from_other_maps(const Indexed_mesh& indexed)
   stretched.compute_distances(vertex(3));
   CHECK(results(stretched, tm)
         == distances_with_parameters(tm, vertex(3), CGAL::parameters::vertex_point_map(points)));
+  namespace np = CGAL::parameters;
+  const std::vector<face_descriptor> avoided{face_descriptor(10), face_descriptor(11), face_descriptor(40)};
+  const auto all = np::faces_to_avoid(avoided).vertex_point_map(points).vertex_index_map(vim).face_index_map(fim);
+  decltype(stretched) around(tm, all);
+  around.compute_distances(vertex(3));
+  CHECK(results(around, tm) == distances_with_parameters(tm, vertex(3), all));
+  CHECK(results(around, tm) != results(stretched, tm));
+  const auto no_points = np::faces_to_avoid(avoided).vertex_index_map(vim).face_index_map(fim);
+  const auto lengths = add_edge_lengths(tm);
+  decltype(stretched) from_lengths = decltype(stretched)::from_edge_lengths(tm, lengths, no_points);
+  from_lengths.compute_distances(vertex(3));
+  decltype(stretched) from_points(tm, no_points);
+  from_points.compute_distances(vertex(3));
+  CHECK_FIELDS_CLOSE(results(from_lengths, tm), results(from_points, tm), 1e-13);
   Solver stretched_too(tm, points);
   stretched_too.compute_distances(vertex(3));
   CHECK(results(stretched_too, tm) == results(stretched, tm));

@@ -51,7 +51,8 @@ each time from another source or other sources.
 It gives the distances of `geodesic_distances()` with the same tag, to the same bits. The constructor reads the mesh
 once, and each computation reuses the memory of the one before. A computation that ends early, at a radius or when the
 distances of some targets are final, takes time proportional to the number of windows in the area that it reaches, and
-none for the rest of the mesh.
+none for the rest of the mesh. The first computation from curves, and the first one after a computation from points,
+also takes time linear in the size of the mesh: curves have tables of their own, which are given back then.
 
 \code
 Geodesic_distance_solver<Mesh> solver(tm);
@@ -164,6 +165,24 @@ public:
                                                                                             vertex_point_map)))
   {}
 
+  /// reads a mesh with named parameters.
+  ///
+  /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+  ///
+  /// \param tm the triangle mesh
+  /// \param np a sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`, `vertex_index_map`,
+  ///        `face_index_map`, `faces_to_avoid` and `edges_to_avoid`, as for `geodesic_distances()`. Index maps have the
+  ///        types `VertexIndexMap` and `FaceIndexMap`. How to write the sequence:
+  ///        \ref Surface_mesh_geodesics_named_parameters.
+  ///
+  /// \throws Invalid_geodesic_input also if an edge or a face to avoid is not one of the mesh
+  template <typename CGAL_NP_TEMPLATE_PARAMETERS>
+  Geodesic_distance_solver(const TriangleMesh& tm, const CGAL_NP_CLASS& np)
+    : m_solver(make_solver(tm, internal::shape_from_points<double>(tm, np), np))
+  {
+    internal::check_parameters<internal::Surface_parameters>(tm, np);
+  }
+
   /// returns a solver that leaves faces out: no path leads through them, as with the parameter `faces_to_avoid` of
   /// `geodesic_distances()`.
   ///
@@ -177,12 +196,7 @@ public:
   template <typename Faces>
   static Geodesic_distance_solver avoiding_faces(const TriangleMesh& tm, const Faces& faces_to_avoid)
   {
-    const auto points = get_const_property_map(CGAL::vertex_point, tm);
-    const auto faces = CGAL::get_initialized_face_index_map(tm, parameters::default_values());
-    return Geodesic_distance_solver(std::unique_ptr<Solver>(
-      new Solver(tm, CGAL::get_initialized_vertex_index_map(tm, parameters::default_values()), faces,
-                 internal::Shape_from_points<double, TriangleMesh, std::decay_t<decltype(points)>>(tm, points),
-                 internal::Obstacles{internal::flags_of_avoided_faces(tm, faces, faces_to_avoid), {}})));
+    return Geodesic_distance_solver(tm, parameters::faces_to_avoid(faces_to_avoid));
   }
 
   /// returns a solver that leads no path across some edges, as with the parameter `edges_to_avoid` of
@@ -201,13 +215,7 @@ public:
   static Geodesic_distance_solver avoiding_edges(const TriangleMesh& tm, const Edges& edges_to_avoid,
                                                  const Faces& faces_to_avoid = Faces())
   {
-    const auto points = get_const_property_map(CGAL::vertex_point, tm);
-    const auto faces = CGAL::get_initialized_face_index_map(tm, parameters::default_values());
-    return Geodesic_distance_solver(std::unique_ptr<Solver>(
-      new Solver(tm, CGAL::get_initialized_vertex_index_map(tm, parameters::default_values()), faces,
-                 internal::Shape_from_points<double, TriangleMesh, std::decay_t<decltype(points)>>(tm, points),
-                 internal::Obstacles{internal::flags_of_avoided_faces(tm, faces, faces_to_avoid),
-                                     internal::walls_of_edges(tm, faces, edges_to_avoid)})));
+    return Geodesic_distance_solver(tm, parameters::edges_to_avoid(edges_to_avoid).faces_to_avoid(faces_to_avoid));
   }
 
   /// returns a solver for a surface that is given by the lengths of its edges.
@@ -218,20 +226,18 @@ public:
   ///
   /// \param tm the triangle mesh
   /// \param edge_length_map the lengths, as for `geodesic_distances_from_edge_lengths()`
-  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `faces_to_avoid` and
-  ///        `edges_to_avoid`, as for `geodesic_distances()`
+  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_index_map`,
+  ///        `face_index_map`, `faces_to_avoid` and `edges_to_avoid`, as for `geodesic_distances()`. Index maps have the
+  ///        types `VertexIndexMap` and `FaceIndexMap`.
   ///
   /// \throws Invalid_geodesic_input also if an edge or a face of the ranges is not one of the mesh
   template <typename EdgeLengthMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
   static Geodesic_distance_solver from_edge_lengths(const TriangleMesh& tm, EdgeLengthMap edge_length_map,
                                                     const CGAL_NP_CLASS& np = parameters::default_values())
   {
-    internal::check_parameters<internal::Obstacle_parameters>(np);
-    const auto faces = CGAL::get_initialized_face_index_map(tm, parameters::default_values());
-    return Geodesic_distance_solver(std::unique_ptr<Solver>(
-      new Solver(tm, CGAL::get_initialized_vertex_index_map(tm, parameters::default_values()), faces,
-                 internal::Shape_from_edge_lengths<double, TriangleMesh, EdgeLengthMap>(tm, edge_length_map),
-                 internal::obstacles(tm, faces, np))));
+    internal::check_parameters<internal::Edge_length_surface_parameters>(np);
+    using Shape = internal::Shape_from_edge_lengths<double, TriangleMesh, EdgeLengthMap>;
+    return Geodesic_distance_solver(make_solver(tm, Shape(tm, edge_length_map), np));
   }
 
   /// returns a solver for a surface that is given by the lengths of its edges, with the indices of the
@@ -355,6 +361,15 @@ public:
 private:
   friend internal::Private_access;
   explicit Geodesic_distance_solver(std::unique_ptr<Solver> solver) : m_solver(std::move(solver)) {}
+
+  // Reads the mesh with the index maps and the obstacles among the named parameters.
+  template <typename Shape, typename NamedParameters>
+  static std::unique_ptr<Solver> make_solver(const TriangleMesh& tm, Shape shape, const NamedParameters& np)
+  {
+    const auto faces = CGAL::get_initialized_face_index_map(tm, np);
+    return std::unique_ptr<Solver>(new Solver(tm, CGAL::get_initialized_vertex_index_map(tm, np), faces,
+                                              std::move(shape), internal::obstacles(tm, faces, np)));
+  }
 
   const typename Solver::Surface& surface() const { return m_solver->surface(); }
 

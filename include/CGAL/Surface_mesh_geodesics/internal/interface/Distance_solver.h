@@ -122,18 +122,23 @@ public:
 
   // The same from curves, or from a single curve. Calls look(curves in the refined mesh) before the propagation; if
   // that throws, the curves are taken out of the mesh again. Always sequential: strips and windows share one wavefront.
-  // The runner is made for the run, as its tables would double the memory of a solver that never sees a curve.
+  // The runner is made for the first run from curves, as its tables would double the memory of a solver that never sees
+  // a curve. It serves all runs until one from points follows.
   template <typename Curves, typename Options, typename Visitor, typename Look>
   bool run_from_curves(const Curves& curves, const Options& options, Visitor& visitor, Look look)
   {
-    // Input is checked before anything changes, and the runner takes its place when it has succeeded.
+    // Input is checked before anything changes, and a new runner takes its place when it has succeeded.
     const std::vector<Located_curve<FT>> located
       = m_surface.located_curves(curves, options.source_offsets);
-    std::unique_ptr<Curve_runner> runner(new Curve_runner(m_surface.mesh(), m_insertion));
+    std::unique_ptr<Curve_runner> first;
+    if(!m_curve_run)
+      first.reset(new Curve_runner(m_surface.mesh(), m_insertion));
+    Curve_runner& runner = first ? *first : *m_curve_run;
     const bool is_complete
-      = run_with_options(*runner, options, visitor, [&](const auto& limits, auto go_on)
-                         { return runner->run(located, limits, go_on, look); });
-    m_curve_run = std::move(runner);
+      = run_with_options(runner, options, visitor, [&](const auto& limits, auto go_on)
+                         { return runner.run(located, limits, go_on, look); });
+    if(first)
+      m_curve_run = std::move(first);
     return is_complete;
   }
 
@@ -270,7 +275,8 @@ private:
   Source_insertion<FT> m_insertion;
   Runner m_runner;
   Source_numbers m_numbers; // of the sources of the last run
-  // A run from points resets it, and one from curves makes a new one: results are those of the last run of either kind.
+  // A run from points resets it, and the next one from curves makes a new one: results are those of the last run of
+  // either kind.
   std::unique_ptr<Curve_runner> m_curve_run; // if that was one from curves
 };
 

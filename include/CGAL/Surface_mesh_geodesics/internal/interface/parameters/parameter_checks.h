@@ -102,6 +102,10 @@ struct Extended_set<Parameter_set<First...>, Tags...>
 using Index_map_parameters = Parameter_set<internal_np::vertex_index_t, internal_np::halfedge_index_t,
                                            internal_np::face_index_t, internal_np::geom_traits_t>;
 using Mesh_parameters = Extended_set<Index_map_parameters, internal_np::vertex_point_t>::type;
+// What a surface consists of: its maps and its obstacles.
+using Edge_length_surface_parameters = Extended_set<Index_map_parameters, internal_np::faces_to_avoid_t,
+                                                    internal_np::edges_to_avoid_t>::type;
+using Surface_parameters = Extended_set<Edge_length_surface_parameters, internal_np::vertex_point_t>::type;
 using Output_mesh_parameters = Parameter_set<internal_np::vertex_point_t>;
 using Mesh_and_visitor_parameters = Extended_set<Mesh_parameters, internal_np::visitor_t>::type;
 
@@ -114,18 +118,15 @@ using Edge_length_distance_parameters
   = Extended_set<Index_map_parameters, internal_np::visitor_t, internal_np::maximum_distance_t, internal_np::targets_t,
                  internal_np::source_offsets_t, internal_np::statistics_t, internal_np::nearest_source_map_t,
                  internal_np::faces_to_avoid_t, internal_np::edges_to_avoid_t>::type;
-using Obstacle_parameters = Parameter_set<internal_np::faces_to_avoid_t, internal_np::edges_to_avoid_t>;
 using Signed_distance_parameters
   = Extended_set<Mesh_and_visitor_parameters, internal_np::maximum_distance_t, internal_np::statistics_t,
                  internal_np::faces_to_avoid_t, internal_np::edges_to_avoid_t>::type;
 using Isoline_parameters
   = Extended_set<Signed_distance_parameters, internal_np::source_offsets_t, internal_np::vertex_distance_map_t,
                  internal_np::nearest_source_map_t>::type;
-using Matrix_parameters = Extended_set<Mesh_parameters, internal_np::faces_to_avoid_t,
-                                       internal_np::edges_to_avoid_t>::type;
-using Edge_length_tracing_parameters = Extended_set<Index_map_parameters, internal_np::faces_to_avoid_t,
-                                                    internal_np::edges_to_avoid_t>::type;
-using Tracing_parameters = Extended_set<Edge_length_tracing_parameters, internal_np::vertex_point_t>::type;
+using Matrix_parameters = Surface_parameters;
+using Edge_length_tracing_parameters = Edge_length_surface_parameters;
+using Tracing_parameters = Surface_parameters;
 using Peeling_parameters = Extended_set<Matrix_parameters, internal_np::visitor_t>::type;
 using Pair_parameters = Extended_set<Matrix_parameters, internal_np::statistics_t>::type;
 using Store_parameters
