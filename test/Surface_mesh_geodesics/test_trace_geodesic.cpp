@@ -1,6 +1,7 @@
 // Straightest geodesics from a location: closed forms in the plane and on cones, cylinders and the cube; walks back to
 // the start on all meshes; vertices, borders, degenerate faces and invalid input.
 
+#include "Counting_mesh.h"
 #include "expected_exceptions.h"
 #include "hostile_meshes.h"
 #include "test_meshes.h"
@@ -288,6 +289,18 @@ void test_along_edges()
   }
 }
 
+// --- the faces of the mesh are not counted on the way ---
+
+void test_number_of_faces()
+{
+  const test_support::Scope scope("number of faces");
+  const Counting_mesh tm(to_face_graph(noisy_sphere(3, .1, 3)));
+  const std::pair<face_descriptor, std::array<double, 3>> from(face_descriptor(7), {.2, .3, .5});
+  const auto g = trace_geodesic(tm, from, 1., 20.);
+  CHECK(g.locations.size() > 200);
+  CHECK_EQUAL(tm.counts, 0u);
+}
+
 // --- hostile meshes: it ends, with a length that is that of its segments ---
 
 // A length for which no geodesic crosses many faces: around a spike, each turn may be as short as a face is thin.
@@ -312,7 +325,7 @@ double short_length(const Mesh& tm)
 
 void test_hostile_meshes()
 {
-  std::size_t singular = 0, at_border = 0, at_length = 0;
+  std::size_t singular = 0, at_border = 0, at_length = 0, counted = 0;
   for(std::uint64_t seed = 0; seed < 2000; ++seed)
   {
     const test_support::Scope scope("hostile " + std::to_string(seed));
@@ -321,18 +334,26 @@ void test_hostile_meshes()
     if(!is_surface(hostile_mesh(random), tm))
       continue;
     const double l = short_length(tm);
+    const Counting_mesh counting(tm);
     for(int i = 0; i < 4; ++i)
     {
       const Face_location from = random_location(tm, random);
-      const Traced g = trace_geodesic(tm, from, random.uniform(0, 2 * pi), l);
+      const double direction = random.uniform(0, 2 * pi);
+      const Traced g = trace_geodesic(tm, from, direction, l);
+      // Where rounding leaves no length in faces, their number ends a walk; it is asked for once.
+      counting.counts = 0;
+      CHECK(trace_geodesic(counting, from, direction, l).locations == g.locations);
+      CHECK(counting.counts <= 1);
+      counted += counting.counts;
       check_polyline(tm, g);
       ++(g.end == Traced::AT_LENGTH ? at_length : g.end == Traced::AT_BORDER ? at_border : singular);
       CHECK(g.end != Traced::AT_LENGTH || std::abs(g.length - l) < 1e-12 * l);
       CHECK(g.direction >= 0 && g.direction < 2 * pi);
     }
   }
-  CHECK(at_length > 1000 && at_border > 100);
-  std::cout << "hostile: " << at_length << " at length, " << at_border << " at border, " << singular << " singular\n";
+  CHECK(at_length > 1000 && at_border > 100 && counted > 10);
+  std::cout << "hostile: " << at_length << " at length, " << at_border << " at border, " << singular << " singular, "
+            << counted << " counted\n";
 }
 
 // --- all scales, by powers of two, give the same bits ---
@@ -417,6 +438,7 @@ int main()
   test_cylinder();
   test_way_back();
   test_along_edges();
+  test_number_of_faces();
   test_hostile_meshes();
   test_scales();
   test_invalid_input();

@@ -1,11 +1,13 @@
-// Edges to avoid on other types of meshes: edges that order themselves by a halfedge, and graphs that lack elements of
-// the graph below them.
+// Edges to avoid on other types of meshes: edges that order themselves by a halfedge, graphs that lack elements of the
+// graph below them, and graphs that count their elements in each call.
 
+#include "Counting_mesh.h"
 #include "expected_exceptions.h"
 #include "test_meshes.h"
 #include "test_support.h"
 
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
+#include <CGAL/Surface_mesh_geodesics/Surface_curve.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_distances.h>
 #include <CGAL/Surface_mesh_geodesics/trace_geodesic.h>
 
@@ -100,11 +102,65 @@ void test_filtered_graph()
   CHECK(!rejects(np::edges_to_avoid(inside)));
 }
 
+// Two components, so that the sources are looked at before the mesh is read. The number of elements is asked for as
+// often for many obstacles and sources as for two.
+void test_counting_graph()
+{
+  const test_support::Scope scope("counting graph");
+  using Curve = SMG::Surface_curve<Counting_mesh>;
+  using edge_descriptor = boost::graph_traits<Mesh>::edge_descriptor;
+  Counting_mesh tm(to_face_graph(flat_patch(10, 10, .1, true, 3)));
+  tm.add_face(tm.add_vertex({20, 0, 0}), tm.add_vertex({21, 0, 0}), tm.add_vertex({20, 1, 0}));
+  const auto counts = [&](const auto& sources, const auto& parameters)
+  {
+    std::map<vertex_descriptor, double> distance;
+    tm.counts = 0;
+    SMG::geodesic_distances(tm, boost::make_assoc_property_map(distance), sources, parameters);
+    CHECK_EQUAL(distance.size(), tm.number_of_vertices());
+    return tm.counts;
+  };
+  const auto all_counts = [&](std::size_t n)
+  {
+    const auto face_at = [](std::size_t i) { return face_descriptor(static_cast<Mesh::size_type>(i)); };
+    const auto first = vertices(tm).begin();
+    const std::vector<vertex_descriptor> corners(first, std::next(first, static_cast<std::ptrdiff_t>(n)));
+    std::vector<Face_location> locations, polyline;
+    std::vector<Curve> curves;
+    std::vector<face_descriptor> avoided;
+    std::vector<edge_descriptor> walls;
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      locations.emplace_back(face_at(i), std::array<double, 3>{.2, .3, .5});
+      const double t = .1 + .5 * static_cast<double>(i) / static_cast<double>(n);
+      polyline.emplace_back(face_at(0), std::array<double, 3>{.2, t, .8 - t});
+      curves.emplace_back(tm, locations.back());
+      avoided.push_back(face_at(100 + i));
+      walls.push_back(edge(halfedge(avoided.back(), tm), tm));
+    }
+    const std::set<face_descriptor> faces_of_map(avoided.begin(), avoided.end());
+    const std::set<edge_descriptor> edges_of_map(walls.begin(), walls.end());
+    const auto face_map = boost::make_function_property_map<face_descriptor>(
+      [&](face_descriptor f) { return faces_of_map.count(f) != 0; });
+    const auto edge_map = boost::make_function_property_map<edge_descriptor>(
+      [&](edge_descriptor e) { return edges_of_map.count(e) != 0; });
+    return std::vector<std::size_t>{
+      counts(corners, np::default_values()), counts(locations, np::faces_to_avoid(avoided)),
+      counts(locations, np::faces_to_avoid(face_map)), counts(corners, np::edges_to_avoid(walls)),
+      counts(corners, np::edges_to_avoid(edge_map)), counts(Curve(tm, polyline), np::faces_to_avoid(avoided)),
+      counts(curves, np::faces_to_avoid(avoided))};
+  };
+  const std::vector<std::size_t> few = all_counts(2), many = all_counts(40);
+  for(std::size_t i = 0; i < few.size(); ++i)
+    CHECK_EQUAL(few[i], many[i]);
+  CHECK(few.front() > 0);
+}
+
 } // namespace
 
 int main()
 {
   test_edges_ordered_by_a_halfedge();
   test_filtered_graph();
+  test_counting_graph();
   return test_result();
 }

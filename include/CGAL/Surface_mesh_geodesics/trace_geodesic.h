@@ -100,9 +100,10 @@ counterclockwise; full turns do not matter. It is counted
 `Face_location` is the one here, so the locations of both can be used together.
 
 The function reads and checks only the faces that it visits. It takes time linear in the number of faces that the
-geodesic crosses, plus the degrees of the vertices that it passes.
+geodesic crosses, plus the degrees of the vertices that it passes. It asks for `num_faces(tm)` at most once, where
+rounding leaves the geodesic no length in a face; `CGAL::Face_filtered_graph` takes linear time for that.
 
-\tparam TriangleMesh a model of `FaceGraph`
+\tparam TriangleMesh a model of `FaceListGraph`
 \tparam Location a vertex descriptor, or a face descriptor with three barycentric coordinates: what
         `geodesic_distances()` takes as a source
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -168,7 +169,7 @@ Traced_geodesic<TriangleMesh> trace_geodesic(const TriangleMesh& tm, const Locat
 traces the straightest geodesic from a location in a direction on a surface that is given by the lengths of its edges.
 All else is as for `trace_geodesic()`.
 
-\tparam TriangleMesh a model of `FaceGraph`
+\tparam TriangleMesh a model of `FaceListGraph`
 \tparam EdgeLengthMap a model of `ReadablePropertyMap` with the edge descriptor of `TriangleMesh` as key type and a
         number type that `CGAL::to_double()` takes as value type
 \tparam Location as for `trace_geodesic()`

@@ -117,11 +117,12 @@ public:
   const Obstacles& obstacles() const { return m_obstacles; }
   bool has_walls() const { return !m_obstacles.walls.empty(); }
 
-  // Is a face one of those to avoid? Not if it is none of the mesh, which checked_halfedge() rejects.
+  // Is a face one of those to avoid? Not if it is none of the mesh, which checked_halfedge() rejects. Each has a
+  // flag, so the mesh need not count them.
   bool is_avoided(face_descriptor f) const
   {
-    return !m_obstacles.is_avoided.empty() && f != Graph_traits::null_face() && is_face_of(f, m_tm, m_fim)
-        && m_obstacles.avoids(static_cast<std::size_t>(get(m_fim, f)));
+    const std::size_t n = f == Graph_traits::null_face() ? 0 : m_obstacles.is_avoided.size();
+    return n > 0 && is_face_of(f, m_tm, m_fim, n) && m_obstacles.avoids(static_cast<std::size_t>(get(m_fim, f)));
   }
 
   // Frees the memory of mesh and tables. read() may follow.
@@ -507,35 +508,35 @@ private:
   std::vector<char> marked_sources(const Sources& sources) const
   {
     std::vector<char> is_marked(num_vertices(m_tm), 0);
-    for_each_source<TriangleMesh>(sources, [&](const auto& source) { mark_source(source, is_marked); });
+    const std::size_t n = num_faces(m_tm);
+    for_each_source<TriangleMesh>(sources, [&](const auto& source) { mark_source(source, n, is_marked); });
     return is_marked;
   }
 
   // Ignores a source that is not in the mesh: it is rejected when the mesh has been read.
   template <typename Source>
-  void mark_source(const Source& source, std::vector<char>& is_marked) const
+  void mark_source(const Source& source, std::size_t number_of_faces, std::vector<char>& is_marked) const
   {
     if constexpr(Is_vertex<TriangleMesh, Source>::value)
     {
-      if(is_vertex_of(source, m_tm, m_vim))
+      if(is_vertex_of(source, m_tm, m_vim, is_marked.size()))
         is_marked[static_cast<std::size_t>(get(m_vim, vertex_descriptor(source)))] = 1;
     }
     else if constexpr(Is_curve<Source>::value)
     {
       if(source.vertex() != Graph_traits::null_vertex())
-        mark_source(source.vertex(), is_marked);
+        mark_source(source.vertex(), number_of_faces, is_marked);
       for(const auto& s : source.segments())
-        mark_face(s.face, is_marked);
+        mark_face(s.face, number_of_faces, is_marked);
     }
     else
-      mark_face(source.first, is_marked);
+      mark_face(source.first, number_of_faces, is_marked);
   }
 
-  // Marks the corners of a face, for a source that is somewhere in it. The whole component of the face is read then.
-  // Ignores what is not a face of the mesh.
-  void mark_face(face_descriptor f, std::vector<char>& is_marked) const
+  // Marks the corners of the face of a source, so that its component is read. Ignores what is no face of the mesh.
+  void mark_face(face_descriptor f, std::size_t number_of_faces, std::vector<char>& is_marked) const
   {
-    if(f != Graph_traits::null_face() && is_face_of(f, m_tm, m_fim))
+    if(f != Graph_traits::null_face() && is_face_of(f, m_tm, m_fim, number_of_faces))
       for(const halfedge_descriptor h : halfedges_of_triangle(f, m_tm))
         is_marked[static_cast<std::size_t>(get(m_vim, target(h, m_tm)))] = 1;
   }

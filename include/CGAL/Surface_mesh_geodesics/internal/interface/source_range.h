@@ -183,23 +183,40 @@ struct Removed_elements<TriangleMesh,
 };
 
 // Returns whether v is a vertex of the mesh, judged by its index. Takes constant time. A vertex of another mesh passes
-// if its index fits.
+// if its index fits. A filtered graph counts its elements in each call of num_vertices() and num_faces(), so loops read
+// the number once and pass it on.
+template <typename TriangleMesh, typename VertexIndexMap>
+bool is_vertex_of(typename boost::graph_traits<TriangleMesh>::vertex_descriptor v, const TriangleMesh& tm,
+                  const VertexIndexMap& vim, std::size_t number_of_vertices)
+{
+  // (The maps of a filtered graph may be asked for its own elements only.)
+  return v != boost::graph_traits<TriangleMesh>::null_vertex() && !Removed_elements<TriangleMesh>::contain(v, tm)
+      && static_cast<std::size_t>(get(vim, v)) < number_of_vertices;
+}
+
+// The same for a single vertex. Takes the time of num_vertices().
 template <typename TriangleMesh, typename VertexIndexMap>
 bool is_vertex_of(typename boost::graph_traits<TriangleMesh>::vertex_descriptor v, const TriangleMesh& tm,
                   const VertexIndexMap& vim)
 {
-  // (The maps of a filtered graph may be asked for its own elements only.)
-  return v != boost::graph_traits<TriangleMesh>::null_vertex() && !Removed_elements<TriangleMesh>::contain(v, tm)
-      && static_cast<std::size_t>(get(vim, v)) < num_vertices(tm);
+  return is_vertex_of(v, tm, vim, num_vertices(tm));
 }
 
 // Returns whether f is a face of the mesh, judged by its index. Requires: f is not the null face. (Callers reject that
 // one before, for a reason of its own: INVALID_LOCATION.)
 template <typename TriangleMesh, typename FaceIndexMap>
 bool is_face_of(typename boost::graph_traits<TriangleMesh>::face_descriptor f, const TriangleMesh& tm,
+                const FaceIndexMap& fim, std::size_t number_of_faces)
+{
+  return !Removed_elements<TriangleMesh>::contain(f, tm) && static_cast<std::size_t>(get(fim, f)) < number_of_faces;
+}
+
+// The same for a single face. Takes the time of num_faces().
+template <typename TriangleMesh, typename FaceIndexMap>
+bool is_face_of(typename boost::graph_traits<TriangleMesh>::face_descriptor f, const TriangleMesh& tm,
                 const FaceIndexMap& fim)
 {
-  return !Removed_elements<TriangleMesh>::contain(f, tm) && static_cast<std::size_t>(get(fim, f)) < num_faces(tm);
+  return is_face_of(f, tm, fim, num_faces(tm));
 }
 
 // Returns whether e is an edge of the mesh, as far as the mesh can tell: edges need no index. A null edge is the
@@ -289,10 +306,11 @@ template <typename TriangleMesh, typename FaceIndexMap, typename Faces>
 std::vector<char> flags_of_avoided_faces(const TriangleMesh& tm, const FaceIndexMap& fim, const Faces& avoided)
 {
   using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
+  const std::size_t number_of_faces = num_faces(tm);
   std::vector<char> flags;
   const auto mark = [&](face_descriptor f)
   {
-    flags.resize(num_faces(tm), 0);
+    flags.resize(number_of_faces, 0);
     flags[static_cast<std::size_t>(get(fim, f))] = 1;
   };
   if constexpr(Is_property_map<Faces>::value)
@@ -301,8 +319,8 @@ std::vector<char> flags_of_avoided_faces(const TriangleMesh& tm, const FaceIndex
     // Numbers convert to bool, too: a map of patches would avoid all faces but those of patch 0.
     static_assert(std::is_same<typename boost::property_traits<Faces>::value_type, bool>::value,
                   "the value of the named parameter faces_to_avoid is a map, but its values are not of type bool");
-    for(const face_descriptor f : faces(tm))
-      if(get(avoided, f) && is_face_of(f, tm, fim)) // an index out of range is rejected when the mesh is read
+    for(const face_descriptor f : faces(tm)) // an index out of range is rejected when the mesh is read
+      if(get(avoided, f) && is_face_of(f, tm, fim, number_of_faces))
         mark(f);
   }
   else
@@ -310,7 +328,7 @@ std::vector<char> flags_of_avoided_faces(const TriangleMesh& tm, const FaceIndex
     std::size_t position = 0;
     for(const face_descriptor f : avoided)
     {
-      if(f == boost::graph_traits<TriangleMesh>::null_face() || !is_face_of(f, tm, fim))
+      if(f == boost::graph_traits<TriangleMesh>::null_face() || !is_face_of(f, tm, fim, number_of_faces))
         reject_face("the face to avoid", position);
       mark(f);
       ++position;
@@ -345,10 +363,11 @@ std::vector<Wall_bits> walls_of_edges(const TriangleMesh& tm, const FaceIndexMap
   using Graph_traits = boost::graph_traits<TriangleMesh>;
   using edge_descriptor = typename Graph_traits::edge_descriptor;
   using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
+  const std::size_t number_of_faces = num_faces(tm);
   std::vector<Wall_bits> walls;
   const auto mark = [&](typename Graph_traits::face_descriptor f, unsigned int k)
   {
-    walls.resize(num_faces(tm), 0);
+    walls.resize(number_of_faces, 0);
     Wall_bits& bits = walls[static_cast<std::size_t>(get(fim, f))];
     bits = static_cast<Wall_bits>(bits | 1u << k);
   };
@@ -360,7 +379,7 @@ std::vector<Wall_bits> walls_of_edges(const TriangleMesh& tm, const FaceIndexMap
     {
       halfedge_descriptor h = halfedge(f, tm);
       for(unsigned int k = 0; k < 3; ++k, h = next(h, tm))
-        if(get(avoided, edge(h, tm)) && is_face_of(f, tm, fim)) // as for faces
+        if(get(avoided, edge(h, tm)) && is_face_of(f, tm, fim, number_of_faces)) // as for faces
           mark(f, k);
     }
   }
@@ -375,7 +394,7 @@ std::vector<Wall_bits> walls_of_edges(const TriangleMesh& tm, const FaceIndexMap
         if(!is_border(h, tm))
         {
           const unsigned int k = number_in_face(h, tm);
-          if(k == 3 || !is_face_of(face(h, tm), tm, fim))
+          if(k == 3 || !is_face_of(face(h, tm), tm, fim, number_of_faces))
             reject_edge("the edge to avoid", position);
           mark(face(h, tm), k);
         }

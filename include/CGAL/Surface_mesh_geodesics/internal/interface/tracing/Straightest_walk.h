@@ -98,7 +98,8 @@ public:
   {}
 
   // Walks from the point b of face f. Requires: b is valid and snapped, `direction` is finite, and `length` is finite
-  // and not negative. Linear in the number of faces crossed, and of those around the vertices that are passed.
+  // and not negative. Linear in the number of faces crossed, and of those around the vertices that are passed; plus one
+  // count of the faces of the mesh if rounding leaves no length in one of them.
   void walk(face_descriptor f, const Coordinates& b, double direction, double length)
   {
     m_rest = m_whole = length;
@@ -106,14 +107,18 @@ public:
     if(!start(f, b, direction))
       return;
     // Each step gets farther, or passes a face in which rounding leaves no length. A walk that gets no farther has run
-    // into faces without area, around which it might turn forever.
-    std::size_t standstills = 0;
+    // into faces without area, around which it might turn forever. (A filtered graph counts its faces in each call.)
+    std::size_t standstills = 0, number_of_faces = 0;
     while(cross_face(standstills))
-      if(standstills > num_faces(m_tm))
+    {
+      if(standstills > 0 && number_of_faces == 0)
+        number_of_faces = num_faces(m_tm);
+      if(standstills > number_of_faces)
       {
         end_in_face(m_b, Result::AT_SINGULARITY);
         return;
       }
+    }
   }
 
 private:
