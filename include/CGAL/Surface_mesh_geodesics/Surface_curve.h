@@ -111,9 +111,11 @@ public:
   /// \name Creation
   /// All of them take linear time, and the degrees of the vertices on the curve.
   ///
-  /// \throws Invalid_geodesic_input, with the position of the location in the range, if there is no location, if a
-  ///         location is not in its face or has a null face or a null vertex, or if no face has both of two locations
-  ///         in a row
+  /// \throws Invalid_geodesic_input with the reason `INVALID_CURVE`, and with the position of the location or halfedge
+  ///         in the range, if there is none; if a vertex, face or halfedge is null or not one of the mesh (as far as
+  ///         the mesh can tell: a `Surface_mesh` knows its elements); if a location is not in its face; if no face has
+  ///         both of two locations in a row; if a halfedge does not begin where the one before ends, or has no face on
+  ///         either side.
   /// @{
 
   /// makes the curve through a range of vertices or of locations in faces. Two in a row are in one face; coordinates
@@ -168,6 +170,8 @@ public:
       const std::size_t i = curve.m_segments.size();
       if(h == boost::graph_traits<TriangleMesh>::null_halfedge())
         internal::reject_curve(i, "is a null halfedge");
+      if(internal::Removed_elements<TriangleMesh>::contain(h, tm))
+        internal::reject_curve(i, "is not a halfedge of the mesh");
       if(i == 0)
         first = source(h, tm);
       else if(source(h, tm) != last)
