@@ -206,6 +206,10 @@ void test_strange_curves()
        {Curve(tm, std::vector<Location>{fourth, third}), Curve(tm, std::vector<Location>{other, third}),
         Curve(tm, std::vector<Location>{other, inside})});
   CHECK(!Curve(tm, std::vector<Location>{inside, other}).is_closed());
+#if !defined(CGAL_NO_PRECONDITIONS) && !defined(CGAL_NDEBUG)
+  CHECK(throws<CGAL::Precondition_exception>([&] { Curve(tm, v).location(0, 0); }));
+  CHECK(throws<CGAL::Precondition_exception>([&] { Curve(tm, std::vector<Location>{inside, other}).location(1, 0); }));
+#endif
   CHECK(throws_reason(Invalid_geodesic_input::Reason::INVALID_CURVE,
                       [&] { Curve(tm, std::vector<Location>{inside, Location(g, {.2, .3, .5})}); }));
 }
