@@ -1266,6 +1266,9 @@ MUTANTS = [
      "  paths.remove_all_sources();\n", "",
      "a path to the next point ends at an earlier point that is nearer", (CURVES_OF_PATHS,)),
     ("curve_of_paths_is_open", PATH_CURVE,
-     "i + 1 < places.size() + (is_closed ? 1 : 0)", "i + 1 < places.size()",
+     "places.size() - (is_closed ? 0 : 1)", "places.size() - 1",
      "the last point is not joined with the first one", (CURVES_OF_PATHS,)),
+    ("curve_of_paths_from_inside", CURVE_SEGMENTS,
+     "is_inside = is_inside && is_avoided(f);", "is_inside = false && is_avoided(f);",
+     "a point inside of the faces to avoid is called source 0, wherever it is in the range", (CURVES_OF_PATHS,)),
 ]

@@ -85,7 +85,7 @@ std::vector<Curve> curves_of(const std::string& role, const Arguments& arguments
     for(Curve& border : borders)
       curves.push_back(std::move(border));
   }
-  Point_projection projection(mesh, has(arguments, "snap"), console);
+  Point_projection projection(mesh, has(arguments, "snap"), console, avoided.faces);
   for(const std::string& file_name : all_values(arguments, role + "-curve"))
     append_file(file_name, mesh, avoided, projection, curves);
   projection.remark_on_snaps();

@@ -1,7 +1,9 @@
 #include "Point_projection.h"
 
 #include "Location_options.h"
+#include "Obstacle_option.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -28,7 +30,7 @@ Face_location Point_projection::nearest_location(const std::array<double, 3>& x,
 {
   check_is_near(x, where, code);
   if(m_tree == nullptr)
-    m_tree.reset(new Face_tree(m_mesh));
+    build_tree(where, code);
   const Point p(x[0], x[1], x[2]);
   const Face_location location = m_tree->nearest_location(p);
   check_snap(p, location, where, code);
@@ -40,10 +42,19 @@ void Point_projection::remark_on_snaps() const
   if(!(m_farthest_snap > largest_silent_snap))
     return;
   std::ostringstream text;
-  text << m_where_farthest << ": the point was moved to the surface, by " << part_of_extent(m_farthest_snap);
+  text << m_where_farthest << ": the point was moved to " << goal() << ", by " << part_of_extent(m_farthest_snap);
   if(m_number_of_snaps > 1)
     text << "; the farthest of " << m_number_of_snaps << " points";
   m_console.note(text.str());
+}
+
+// (The tree of no faces has no nearest point.)
+void Point_projection::build_tree(const std::string& where, Exit_code code)
+{
+  const std::vector<char> is_avoided = flags_of_faces(m_mesh, m_avoided);
+  if(!is_avoided.empty() && std::find(is_avoided.begin(), is_avoided.end(), 0) == is_avoided.end())
+    throw Command_error(code, where + ": no face is left for the point, as all are to be avoided");
+  m_tree.reset(new Face_tree(m_mesh, m_avoided));
 }
 
 // Rounding would choose the nearest location of a point that is very far away, and its unit is probably wrong.
@@ -68,8 +79,8 @@ void Point_projection::check_snap(const Point& p, const Face_location& location,
   if(part > largest_snap && !m_may_snap)
   {
     std::ostringstream text;
-    text << where << ": the point is " << distance << " from the surface, " << part_of_extent(part)
-         << "; --snap moves it to the surface all the same";
+    text << where << ": the point is " << distance << " from " << goal() << ", " << part_of_extent(part)
+         << "; --snap moves it to " << goal() << " all the same";
     throw Command_error(code, text.str());
   }
   ++m_number_of_snaps;

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace geodesics_demo {
 
@@ -18,19 +19,22 @@ namespace geodesics_demo {
 class Point_projection
 {
 public:
-  // All arguments are referred to. `may_snap`: points may be far from the surface (--snap).
-  Point_projection(const Mesh& mesh, bool may_snap, const Console& console)
-    : m_mesh(mesh), m_may_snap(may_snap), m_console(console)
+  // Mesh and console are referred to. `may_snap`: points may be far from the surface (--snap). Points do not move into
+  // the faces `avoided`, but to their rim.
+  Point_projection(const Mesh& mesh, bool may_snap, const Console& console, const std::vector<Face>& avoided = {})
+    : m_mesh(mesh), m_may_snap(may_snap), m_console(console), m_avoided(avoided)
   {}
 
   // Throws a Command_error with the code for a point that is so far from the surface that it was probably not meant to
-  // be on it.
+  // be on it, and if all faces are to be avoided.
   Face_location nearest_location(const std::array<double, 3>& x, const std::string& where, Exit_code code);
 
   // Remarks on the point that was farthest from the surface, if that was more than a rounding of its digits.
   void remark_on_snaps() const;
 
 private:
+  void build_tree(const std::string& where, Exit_code code);
+  const char* goal() const { return m_avoided.empty() ? "the surface" : "the faces that are not avoided"; }
   void check_is_near(const std::array<double, 3>& x, const std::string& where, Exit_code code);
   void check_snap(const Point& p, const Face_location& location, const std::string& where, Exit_code code);
 
@@ -40,6 +44,7 @@ private:
   const Mesh& m_mesh;
   bool m_may_snap;
   const Console& m_console;
+  std::vector<Face> m_avoided;
   std::size_t m_number_of_snaps = 0;
   double m_farthest_snap = 0, m_extent = -1; // negative until it is computed
   std::string m_where_farthest;

@@ -11,6 +11,8 @@
 #include <CGAL/Surface_mesh_geodesics/geodesic_distances.h>
 #include <CGAL/Surface_mesh_geodesics/signed_geodesic_distances.h>
 
+#include <CGAL/boost/graph/Euler_operations.h>
+
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
@@ -205,6 +207,10 @@ void test_strange_curves()
        {Curve(tm, std::vector<Location>{fourth, third}), Curve(tm, std::vector<Location>{other, third}),
         Curve(tm, std::vector<Location>{other, inside})});
   CHECK(!Curve(tm, std::vector<Location>{inside, other}).is_closed());
+#if !defined(CGAL_NO_PRECONDITIONS) && !defined(CGAL_NDEBUG)
+  CHECK(throws<CGAL::Precondition_exception>([&] { Curve(tm, v).location(0, 0); }));
+  CHECK(throws<CGAL::Precondition_exception>([&] { Curve(tm, std::vector<Location>{inside, other}).location(1, 0); }));
+#endif
   CHECK(throws_reason(Invalid_geodesic_input::Reason::INVALID_CURVE,
                       [&] { Curve(tm, std::vector<Location>{inside, Location(g, {.2, .3, .5})}); }));
 }
@@ -526,6 +532,36 @@ void test_signs_on_torus()
   CHECK_EQUAL(positive, std::size_t(18));
 }
 
+// Halfedges that the mesh does not have: beyond its last one, and of a face that has been removed.
+void test_invalid_halfedges()
+{
+  using Halfedges = std::vector<Mesh::Halfedge_index>;
+  Mesh tm = to_face_graph(icosphere(1));
+  const auto h = halfedge(face_descriptor(0), tm), border = opposite(h, tm);
+  const auto is_rejected_at = [&](std::size_t position, const Halfedges& halfedges)
+  {
+    try
+    {
+      Curve::along_halfedges(tm, halfedges);
+    }
+    catch(const Invalid_geodesic_input& e)
+    {
+      return e.reason() == Invalid_geodesic_input::Reason::INVALID_CURVE && e.element() == position;
+    }
+    return false;
+  };
+  CHECK(is_rejected_at(0, Halfedges{boost::graph_traits<Mesh>::null_halfedge()}));
+  CHECK(is_rejected_at(0, Halfedges{Mesh::Halfedge_index(12345678)}));
+  CHECK(is_rejected_at(1, Halfedges{h, Mesh::Halfedge_index(12345678)}));
+  CHECK(!is_rejected_at(1, Halfedges{border, h}));
+  // Two faces that share an edge: only that edge is gone.
+  CGAL::Euler::remove_face(h, tm);
+  CGAL::Euler::remove_face(border, tm);
+  CHECK(tm.has_garbage());
+  CHECK(is_rejected_at(0, Halfedges{h}));
+  CHECK(is_rejected_at(0, Halfedges{border, h}));
+}
+
 void test_invalid_curves()
 {
   const auto reason = Invalid_geodesic_input::Reason::INVALID_CURVE;
@@ -581,6 +617,7 @@ int main()
   test_obstacles();
   test_signs_in_plane();
   test_signs_on_torus();
+  test_invalid_halfedges();
   test_invalid_curves();
   return test_result();
 }

@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <map>
 #include <vector>
 
 using namespace curve_cases;
@@ -131,6 +132,20 @@ void polygons_in_the_plane()
   CHECK(number_inside > 5);
 }
 
+template <typename Function>
+bool throws_at(Invalid_geodesic_input::Reason reason, std::size_t position, Function function)
+{
+  try
+  {
+    function();
+  }
+  catch(const Invalid_geodesic_input& e)
+  {
+    return e.reason() == reason && e.element() == position;
+  }
+  return false;
+}
+
 void faces_are_avoided()
 {
   const Mesh tm = to_face_graph(flat_patch(6, 6, 0, false, 1));
@@ -173,18 +188,55 @@ void faces_are_avoided()
   CHECK_EQUAL(with_common_face, std::size_t(2));
 }
 
-template <typename Function>
-bool throws_at(Invalid_geodesic_input::Reason reason, std::size_t position, Function function)
+// Wherever a point inside of the faces to avoid is in the range, its position is told, and no path is computed.
+// Vertices, and points of edges and faces; a range of faces and a map.
+void points_inside_of_faces_to_avoid_are_rejected()
 {
-  try
+  const auto reason = Invalid_geodesic_input::Reason::INVALID_CURVE;
+  const Mesh tm = to_face_graph(flat_patch(6, 6, 0, false, 1));
+  std::map<face_descriptor, bool> is_avoided;
+  std::vector<face_descriptor> avoided;
+  for(const face_descriptor f : faces(tm))
   {
-    function();
+    const Point p = point_of(tm, Location(f, {1. / 3, 1. / 3, 1. / 3}));
+    is_avoided[f] = p.x() > 2 && p.x() < 4 && p.y() > 2 && p.y() < 4;
+    if(is_avoided[f])
+      avoided.push_back(f);
   }
-  catch(const Invalid_geodesic_input& e)
+  SMG::Propagation_statistics statistics;
+  const auto np = CGAL::parameters::faces_to_avoid(avoided).statistics(&statistics);
+  const auto map = CGAL::parameters::faces_to_avoid(boost::make_assoc_property_map(is_avoided));
+  const auto check = [&](const auto& places, std::size_t position)
   {
-    return e.reason() == reason && e.element() == position;
+    CHECK(throws_at(reason, position, [&] { SMG::shortest_path_curve(tm, places, false, np); }));
+    CHECK(throws_at(reason, position, [&] { SMG::shortest_path_curve(tm, places, true, map); }));
+  };
+  const auto at = [&](double x, double y) { return location_in_plane(x, y, tm); };
+  for(const Location& inside : {at(2.25, 3.5), at(3, 2.5), at(3, 3)})
+  {
+    check(std::vector<Location>{at(1, .25), at(5, 5.5), inside}, 2);
+    check(std::vector<Location>{at(1, .25), inside, at(5, 5.5)}, 1);
+    check(std::vector<Location>{inside, at(1, .25), at(5, 5.5)}, 0);
+    check(std::vector<Location>{inside}, 0);
+    check(std::vector<Location>(2, inside), 0);
   }
-  return false;
+  const auto vertex = [&](double x, double y)
+  {
+    return *std::find_if(vertices(tm).begin(), vertices(tm).end(),
+                         [&](vertex_descriptor v) { return tm.point(v) == Point(x, y, 0); });
+  };
+  check(std::vector<vertex_descriptor>{vertex(0, 1), vertex(2, 2), vertex(3, 3)}, 2);
+  check(std::vector<vertex_descriptor>{vertex(0, 1), vertex(3, 3), vertex(5, 5)}, 1);
+  check(std::vector<vertex_descriptor>{vertex(3, 3), vertex(2, 3), vertex(5, 5)}, 0);
+  CHECK_EQUAL(statistics.windows_created, std::size_t(0));
+  // Points of the rim are not inside, and a face to avoid that is none of the mesh has its own position.
+  CHECK_CLOSE(SMG::shortest_path_curve(tm, std::vector<Location>{at(2, 2.5), at(2, 3.5)}, false, np).length(tm), 1,
+              1e-12);
+  CHECK_EQUAL(SMG::shortest_path_curve(tm, std::vector<Location>{at(2, 2.5)}, false, np).length(tm), 0.);
+  avoided.push_back(face_descriptor(12345));
+  CHECK(throws_at(Invalid_geodesic_input::Reason::INVALID_DESCRIPTOR, avoided.size() - 1, [&] {
+    SMG::shortest_path_curve(tm, std::vector<Location>{at(3, 3)}, false, CGAL::parameters::faces_to_avoid(avoided));
+  }));
 }
 
 void wrong_input_is_rejected()
@@ -284,6 +336,7 @@ int main()
     curves_are_as_long_as_paths(mesh, random);
   polygons_in_the_plane();
   faces_are_avoided();
+  points_inside_of_faces_to_avoid_are_rejected();
   wrong_input_is_rejected();
   straight_parts_cost_no_propagation();
   std::size_t right_angles = 0;

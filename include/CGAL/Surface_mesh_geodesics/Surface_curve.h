@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/interface/curves/curve_segments.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 
@@ -109,11 +110,14 @@ public:
 #endif
 
   /// \name Creation
-  /// All of them take linear time, and the degrees of the vertices on the curve.
+  /// Each of them takes time linear in the number of locations or halfedges, and in the number of faces around the
+  /// vertices among them.
   ///
-  /// \throws Invalid_geodesic_input, with the position of the location in the range, if there is no location, if a
-  ///         location is not in its face or has a null face or a null vertex, or if no face has both of two locations
-  ///         in a row
+  /// \throws Invalid_geodesic_input with the reason `INVALID_CURVE`, and with the position of the location or halfedge
+  ///         in the range, if there is none; if a vertex, face or halfedge is null or not one of the mesh (as far as
+  ///         the mesh can tell: a `Surface_mesh` knows its elements); if a location is not in its face; if no face has
+  ///         both of two locations in a row; if a halfedge does not begin where the one before ends, or has no face on
+  ///         either side.
   /// @{
 
   /// makes the curve through a range of vertices or of locations in faces. Two in a row are in one face; coordinates
@@ -168,6 +172,8 @@ public:
       const std::size_t i = curve.m_segments.size();
       if(h == boost::graph_traits<TriangleMesh>::null_halfedge())
         internal::reject_curve(i, "is a null halfedge");
+      if(internal::Removed_elements<TriangleMesh>::contain(h, tm))
+        internal::reject_curve(i, "is not a halfedge of the mesh");
       if(i == 0)
         first = source(h, tm);
       else if(source(h, tm) != last)
@@ -203,9 +209,10 @@ public:
   /// \param segment the number of the segment, from 0
   /// \param parameter the part of the segment that lies before the point, from 0 to 1
   /// \return the face of the segment, and the coordinates of the point there: a weighted mean of those of its ends
-  /// \pre the curve has a segment of that number (this is not checked).
+  /// \pre the curve has a segment of that number: `segment < segments().size()`
   Face_location location(std::size_t segment, double parameter) const
   {
+    CGAL_precondition_msg(segment < m_segments.size(), "the curve has no segment of this number");
     const Segment& s = m_segments[segment];
     Face_location result(s.face, Barycentric_coordinates{});
     for(std::size_t k = 0; k < 3; ++k)

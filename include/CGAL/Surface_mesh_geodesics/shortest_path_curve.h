@@ -74,8 +74,9 @@ other point is reached. With faces to avoid, all pairs do so.
 \return the curve
 
 \throws Invalid_geodesic_input with the reason `INVALID_CURVE` if there is no point, if a point is not on the mesh (as
-        far as the mesh can tell: a `Surface_mesh` knows its elements), or if no path leads from a point to the next
-        one; the element is the position of that point in the range. Also if the mesh is one that
+        far as the mesh can tell: a `Surface_mesh` knows its elements), if a point is inside of the faces to avoid (it
+        may be at their rim), or if no path leads from a point to the next one; the element is the position of that
+        point in the range. Nothing is computed if a point is rejected. Also if the mesh is one that
         `geodesic_distances()` rejects. It is read unless all points that follow each other share a face, and no faces
         are to be avoided.
 \throws std::runtime_error if rounding hides a path
@@ -94,17 +95,20 @@ Surface_curve<TriangleMesh> shortest_path_curve(const TriangleMesh& tm, const Po
   static_assert(internal::are_places<TriangleMesh, Place>(), "see the message before");
   internal::check_parameters<internal::Pair_parameters>(tm, np);
   const std::vector<Place> places(std::begin(points), std::end(points));
-  if(places.size() < 2)
-    return Curve(tm, places);
   std::vector<internal::Point_of_faces<TriangleMesh>> ends;
   for(const Place& p : places)
     ends.emplace_back(tm, p, ends.size());
   // The common face may be one to avoid.
   constexpr bool avoids_faces = internal::Has_parameter<CGAL_NP_CLASS, internal_np::faces_to_avoid_t>::value;
+  if(places.size() < 2 && !avoids_faces)
+    return Curve(tm, places);
   std::vector<typename Curve::Segment> segments;
   internal::with_path_structure(tm, np, [&](auto& paths)
   {
-    for(std::size_t i = 0; i + 1 < places.size() + (is_closed ? 1 : 0); ++i)
+    if constexpr(avoids_faces)
+      internal::reject_points_inside(tm, ends, [&](auto f) { return paths.avoids_face(f); });
+    const std::size_t number_of_paths = places.size() < 2 ? 0 : places.size() - (is_closed ? 0 : 1);
+    for(std::size_t i = 0; i < number_of_paths; ++i)
     {
       const std::size_t j = (i + 1) % places.size();
       if(avoids_faces || !internal::find_segment(tm, ends[i], ends[j], segments))
@@ -117,8 +121,8 @@ Surface_curve<TriangleMesh> shortest_path_curve(const TriangleMesh& tm, const Po
       }
     }
   });
-  if(segments.empty()) // all places are one point
-    return Curve(tm, std::vector<Place>(1, places.front()));
+  if(segments.empty()) // all places are one point, or there is none
+    return Curve(tm, std::vector<Place>(places.begin(), places.begin() + (places.empty() ? 0 : 1)));
   return internal::Private_access::make<Curve>(std::move(segments), is_closed);
 }
 

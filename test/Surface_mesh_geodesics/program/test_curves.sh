@@ -59,7 +59,8 @@ is_silent distances "$grid" --source-border --radius 0.1 > near.csv
 equals "$(column near.csv distance | grep -c inf)" 4
 equals "$(line near.csv 7)" 5,inf,-1,
 seq 0 17 > faces.txt
-rejects 3 "inside of the faces to avoid" distances "$grid" --source-curve segment.obj --avoid faces.txt
+rejects 3 "segment.obj, line 2: no face is left for the point, as all are to be avoided" \
+  distances "$grid" --source-curve segment.obj --avoid faces.txt
 printf '8\n9\n' > middle.txt
 printf '2 0.1 0.4 0 0.9 0.4 0\n' > through.polylines.txt
 is_silent distances "$grid" --source-curve through.polylines.txt > through.csv
@@ -67,6 +68,21 @@ expect through.csv "norm(x - min(0.9, max(0.1, x)), y - 0.4)"
 is_silent distances "$grid" --source-curve through.polylines.txt --avoid middle.txt > around.csv
 is_near "$(column around.csv distance | line /dev/stdin 6)" 0 # around two corners of the square in the middle
 is_near "$(column around.csv distance | line /dev/stdin 10)" 0
+# Points above the square in the middle do not move into it, but to its rim: the second one to the side y = 1/3.
+printf '# a curve\n2 0.1 0.4 0 0.5 0.34 0\n' > into.polylines.txt
+remarks "into.polylines.txt, line 2: the point was moved to the faces that are not avoided, by 0.471 % of the extent" \
+  distances "$grid" --source-curve into.polylines.txt --avoid middle.txt
+is_near "$(column remarks.out distance | line /dev/stdin 6)" 0 # the path leads along the rim
+is_near "$(column remarks.out distance | line /dev/stdin 10)" "$(awk 'BEGIN { printf "%.17g", 2 / 3 - .5 }')"
+printf 'v .1 .4 0\nv .5 .4 0\nv .1 .1 0\nl 3 1 2\n' > inside.obj
+goal="the faces that are not avoided"
+for call in "distances --source" "check --source" "voronoi --site" "sample --number 3 --first"; do
+  # shellcheck disable=SC2086 # the options are words
+  rejects 3 "inside.obj, line 2: the point is 0.0666667 from $goal, 4.71 % of the extent of the mesh; --snap moves it to \
+$goal all the same" ${call%% *} "$grid" ${call#* }-curve inside.obj --avoid middle.txt
+done
+remarks "inside.obj, line 2: the point was moved to $goal, by 4.71 %" \
+  distances "$grid" --source-curve inside.obj --avoid middle.txt --snap
 
 # The curves that the program writes: a shortest path of its own is as near to its ends as to all its points.
 is_silent path "$grid" --source-point 0.05,0.1,0 --target-point 0.95,0.7,0 -o path.obj -o path.polylines.txt

@@ -212,14 +212,13 @@ public:
   // Invalid_geodesic_input, nothing changes.
   template <typename Faces>
   void avoid_faces(const Faces& avoided)
-  {
-    avoid({flags_of_avoided_faces(m_tm, m_face_index_map, avoided), m_solver.obstacles().walls});
-  }
+  { avoid({flags_of_avoided_faces(m_tm, m_face_index_map, avoided), m_solver.obstacles().walls}); }
   template <typename Edges>
   void avoid_edges(const Edges& avoided)
-  {
-    avoid({m_solver.obstacles().is_avoided, walls_of_edges(m_tm, m_face_index_map, avoided)});
-  }
+  { avoid({m_solver.obstacles().is_avoided, walls_of_edges(m_tm, m_face_index_map, avoided)}); }
+
+  // Is a face one of those to avoid? Not if it is none of the mesh.
+  bool avoids_face(face_descriptor f) const { return m_solver.is_avoided(f); }
 
   // Forgets sources, results, mesh and edge lengths. The next build reads points, also if lengths have been in use. The
   // object is ready, as without sources there is nothing to compute.

@@ -164,6 +164,23 @@ private:
   Coordinates m_coordinates{}; // in m_face, if the point is given by a location
 };
 
+// Throws for the first of the points all of whose faces are avoided: no path reaches it. A point at the rim has another
+// face; an isolated vertex has none, and is none of these. is_avoided(f) tells of a face. Linear in the degrees of
+// vertices.
+template <typename TriangleMesh, typename IsAvoided>
+void reject_points_inside(const TriangleMesh& tm, const std::vector<Point_of_faces<TriangleMesh>>& points,
+                          const IsAvoided& is_avoided)
+{
+  const auto null_face = boost::graph_traits<TriangleMesh>::null_face();
+  for(std::size_t i = 0; i < points.size(); ++i)
+  {
+    bool is_inside = points[i].own_face() != null_face;
+    points[i].for_each_face(tm, [&](auto f) { is_inside = is_inside && is_avoided(f); });
+    if(is_inside)
+      reject_curve(i, "is inside of the faces to avoid");
+  }
+}
+
 // Two vertices may be in several common faces: both sides of their edge. Then the segment runs along that edge, in
 // whatever face it is given. (Where several edges join them, the first face decides; halfedges tell exactly.)
 //
