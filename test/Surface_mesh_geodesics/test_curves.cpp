@@ -3,12 +3,14 @@
 
 #include "curves_in_plane.h"
 #include "expected_exceptions.h"
+#include "intrinsic_mesh_helpers.h"
 #include "test_meshes.h"
 #include "test_support.h"
 
 #include <CGAL/Surface_mesh_geodesics/Geodesic_distance_solver.h>
 #include <CGAL/Surface_mesh_geodesics/Surface_curve.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_distances.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/curves/Curve_sides.h>
 #include <CGAL/Surface_mesh_geodesics/signed_geodesic_distances.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -562,6 +564,47 @@ void test_invalid_halfedges()
   CHECK(is_rejected_at(0, Halfedges{border, h}));
 }
 
+// Two fans of n faces share their apex, vertex 0. The rim of the first one is a curve: all faces are on its left. A
+// bridge of two faces between the fans is divided by an edge, which has both fans on one side through the apex.
+void test_signs_across_pinch()
+{
+  for(const std::size_t n : {std::size_t(5), std::size_t(20), std::size_t(80)})
+  {
+    Indexed_mesh fans{"fans", {{0, 0, 0}}, {}};
+    for(std::size_t i = 0; i < 2 * n + 2; ++i)
+    {
+      const double t = (i <= n ? 0. : .4) + 2.5 * static_cast<double>(i) / static_cast<double>(n);
+      fans.points.push_back({std::cos(t), std::sin(t), i <= n ? 0. : 1.});
+      if(i != n && i != 2 * n + 1)
+        fans.faces.push_back({0, i + 1, i + 2});
+    }
+    const Mesh tm = to_face_graph(fans);
+    std::vector<vertex_descriptor> rim;
+    for(std::size_t i = 1; i <= n + 1; ++i)
+      rim.push_back(vertex_descriptor(static_cast<Mesh::size_type>(i)));
+    const Distances plain = distances(tm, {Curve(tm, rim)});
+    for(const auto& entry : signed_distances(tm, {Curve(tm, rim)}))
+      CHECK_EQUAL(entry.second, -plain.at(entry.first));
+    // All faces around the apex are visited once: no face that gets its color visits them again.
+    const Counting_intrinsic_mesh mesh(intrinsic_mesh(tm));
+    SMG::internal::Source_curves<double> curves;
+    const SMG::internal::Halfedge_id h = SMG::internal::halfedge_of(0, 0); // the shortest edge, which is on a rim
+    CHECK_EQUAL(mesh.opposite(h), SMG::internal::null_id);
+    curves.edges.push_back({h, SMG::internal::null_id, mesh.source(h), mesh.target(h), 1, 0, 0, 0, 0, 1});
+    const SMG::internal::Curve_sides<double, Counting_intrinsic_mesh> sides(mesh, curves);
+    for(SMG::internal::Face_id f = 0; f < mesh.number_of_faces(); ++f)
+      CHECK_EQUAL(sides.sign_of_face(f), -1);
+    CHECK_EQUAL(mesh.visits, 2 * n);
+    fans.faces.push_back({n + 1, n, n + 3});
+    fans.faces.push_back({n + 3, n + 2, n + 1});
+    const Mesh ring = to_face_graph(fans);
+    const vertex_descriptor a(static_cast<Mesh::size_type>(n + 1)), b(static_cast<Mesh::size_type>(n + 3));
+    const Curve across(ring, std::vector<vertex_descriptor>{a, b}), apex(ring, vertex_descriptor(0));
+    CHECK(!separates(ring, {across}));
+    CHECK(separates(ring, {across, apex}));
+  }
+}
+
 void test_invalid_curves()
 {
   const auto reason = Invalid_geodesic_input::Reason::INVALID_CURVE;
@@ -617,7 +660,11 @@ int main()
   test_obstacles();
   test_signs_in_plane();
   test_signs_on_torus();
+<<<<<<< HEAD
   test_invalid_halfedges();
+=======
+  test_signs_across_pinch();
+>>>>>>> 3098e11ab90d5d73c0bcee9ae46cebe2f642146e
   test_invalid_curves();
   return test_result();
 }

@@ -47,6 +47,11 @@ the curve, not only from its vertices, and it is exact: nothing is sampled. Shor
 at a right angle, on both sides, and corners and ends of the curve in the directions between.
 \ref Surface_mesh_geodesics_curves shows how to use them.
 
+<b>Many locations in one face.</b> A function that takes the curve as a source divides each face at the locations inside
+of it and on its edges. This takes time quadratic in the number of locations in one face, and distances are slow in the
+narrow parts that they leave. So where a curve has thousands of locations in one face, first leave out those that are
+nearly on a line, or refine the mesh. A few locations in each of many faces, as along an isoline, cost little.
+
 <b>Validity.</b> A curve stores descriptors of the mesh and barycentric coordinates, no points: it is a curve on
 any surface with these faces, also on one that is given by its lengths. The mesh must keep its faces and edges as long
 as the curve is in use, but its points may move. Copies are independent of each other, and several threads may use one

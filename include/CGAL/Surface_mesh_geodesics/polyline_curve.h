@@ -61,7 +61,8 @@ signed_geodesic_distances(mesh, distance, polyline_curve(mesh, lines.front().sec
 \endcode
 
 <b>Complexity.</b> O(n log n) for the faces of the mesh, of which it makes an `AABB_tree`, and in practice O(log n) for
-each point; plus the time of `shortest_path_curve()`.
+each point; plus the time of `shortest_path_curve()`. Where the polyline is much finer than the mesh, the curve has many
+locations in one face. As a source it takes time quadratic in their number then, see `Surface_curve`.
 
 <b>Thread safety.</b> As for `geodesic_distances()`.
 

@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <type_traits>
 
 namespace test_meshes {
@@ -27,6 +28,25 @@ CGAL::Surface_mesh_geodesics::internal::Intrinsic_mesh<double> intrinsic_mesh(co
     tm, vim, fim, internal::Shape_from_points<double, Mesh, std::decay_t<decltype(vpm)>>(tm, vpm), blocks);
   return surface.mesh();
 }
+
+// A copy of a mesh that counts the halfedges around vertices that are visited.
+struct Counting_intrinsic_mesh : CGAL::Surface_mesh_geodesics::internal::Intrinsic_mesh<double>
+{
+  using Base = CGAL::Surface_mesh_geodesics::internal::Intrinsic_mesh<double>;
+  explicit Counting_intrinsic_mesh(const Base& mesh) : Base(mesh) {}
+
+  template <typename Visit>
+  void for_each_halfedge_around(CGAL::Surface_mesh_geodesics::internal::Vertex_id v, Visit visit) const
+  {
+    Base::for_each_halfedge_around(v, [&](CGAL::Surface_mesh_geodesics::internal::Halfedge_id h)
+    {
+      ++visits;
+      visit(h);
+    });
+  }
+
+  mutable std::size_t visits = 0;
+};
 
 // Are two faces equal, bit by bit?
 inline bool is_same_face(const CGAL::Surface_mesh_geodesics::internal::Intrinsic_face<double>& a,

@@ -35,12 +35,11 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// Invariant: all faces that are connected across edges with a face that has a color have one.
-template <typename FT>
+// Invariant: all faces that are connected across edges with a face that has a color have one. (`Mesh` may be a class of
+// tests that counts visits.)
+template <typename FT, typename Mesh = Intrinsic_mesh<FT>>
 class Curve_sides
 {
-  using Mesh = Intrinsic_mesh<FT>;
-
 public:
   // Colors all faces that are connected with a curve. The face on the left of the first edge of the first curve is
   // negative; if there are several components, so is that of the first edge in each. Throws Invalid_geodesic_input if
@@ -64,10 +63,11 @@ public:
           m_is_crossed[h] = e.curve;
     for(const Source_vertex<FT>& v : curves.vertices)
       m_on_curve.push_back(v.vertex);
+    std::vector<char> is_passed(mesh.number_of_vertices(), 0);
     for(const Source_edge<FT>& e : edges)
     {
-      color_from(e.left, -1);
-      color_from(e.right, 1);
+      color_from(e.left, -1, is_passed);
+      color_from(e.right, 1, is_passed);
     }
   }
 
@@ -85,8 +85,9 @@ public:
 private:
   // Colors the face of h, and all that are connected with it, unless it has a color. A stack takes the place of
   // recursion, which would be as deep as the mesh is large. Each face is visited once, and each of its edges compared
-  // with the color across: so every contradiction is found, wherever the walk begins.
-  void color_from(Halfedge_id h, int sign)
+  // with the color across: so every contradiction is found, wherever the walk begins. A pinched vertex is passed once:
+  // all faces around it have one color then, so a second visit would neither color one nor find a contradiction.
+  void color_from(Halfedge_id h, int sign, std::vector<char>& is_passed)
   {
     if(h == null_id || m_face_sign[face_of(h)] != 0)
       return;
@@ -115,7 +116,10 @@ private:
         // Across a pinched vertex, if no curve runs through it: paths lead across vertices as well, so distances behind
         // a pinch have the sign of the pinch.
         const Vertex_id v = m_mesh.source(g);
-        if(m_mesh.has(v, Mesh::PINCHED) && !std::binary_search(m_on_curve.begin(), m_on_curve.end(), v))
+        if(is_passed[v] != 0 || !m_mesh.has(v, Mesh::PINCHED))
+          continue;
+        is_passed[v] = 1;
+        if(!std::binary_search(m_on_curve.begin(), m_on_curve.end(), v))
           m_mesh.for_each_halfedge_around(v, [&](Halfedge_id around) { color(face_of(around), s, null_id); });
       }
     }
