@@ -183,6 +183,7 @@ DIRECTIONS = "test_directions_of_all_vertices"
 PATHS_WITH_OFFSETS = "test_paths_from_curves_with_offsets"
 OBSTACLES_OF_APPLICATIONS = "test_obstacles_of_applications"
 CURVES = "test_curves"
+SIGNS = "test_signed_distances"
 HOSTILE_CURVES = "test_curves_on_hostile_meshes"
 CURVE_PATHS = "test_paths_from_curves"
 CURVES_OF_PATHS = "test_shortest_path_curve"
@@ -1247,13 +1248,13 @@ MUTANTS = [
      "where two curves run along one edge, the larger offset counts", (CURVES,)),
     ("curves_along_twice_separate", CURVE_SIDES,
      "if(e.copies % 2 == 1)", "if(true)",
-     "a part of a curve that is run along twice changes the side", (CURVES,)),
+     "a part of a curve that is run along twice changes the side", (SIGNS,)),
     ("sides_without_contradictions", CURVE_SIDES,
      "else if(m_face_sign[f] != s)", "else if(false)",
-     "curves that do not separate the surface are not rejected", (CURVES,)),
+     "curves that do not separate the surface are not rejected", (SIGNS,)),
     ("sides_end_at_pinches", CURVE_SIDES,
      "color(face_of(around), s, null_id);", "static_cast<void>(around);",
-     "two sides of a curve are connected by a pinched vertex, and are not rejected", (CURVES,)),
+     "two sides of a curve are connected by a pinched vertex, and are not rejected", (SIGNS,)),
     ("isolines_on_other_side", ISOLINE_CHOICE,
      "is_negative ? -1 : 1", "is_negative ? 1 : -1",
      "isolines with a sign are those of the other side of the curves", (SIGNED_ISOLINES,)),

@@ -54,8 +54,8 @@ public:
   Curve_insertion(const Mesh& mesh, Source_insertion<FT>& insertion) : m_mesh(mesh), m_insertion(insertion) {}
 
   // Inserts the curves and returns their edges and vertices. Takes the time of sorting the locations and of the
-  // insertions, plus the degrees of the vertices on the curves. An insertion looks at all parts of its face: the time is
-  // quadratic in the number of locations in one face. The refined mesh does not depend on the order of the curves.
+  // insertions, plus the degrees of the vertices on the curves. An insertion looks at all parts of its face: the time
+  // is quadratic in the number of locations in one face. The refined mesh does not depend on the order of the curves.
   // Throws Invalid_geodesic_input where segments of one face nearly coincide, so that rounding hides in which order
   // they cross the parts of the face; they were found at distances of 1e-12 of the face only. Requires: nothing is
   // inserted yet; the faces are those of the mesh without insertions.
