@@ -49,6 +49,8 @@ CURVE_SIDES = INTERNAL + "surface/curves/Curve_sides.h"
 ISOLINE_CHOICE = INTERNAL + "interface/isolines/Isoline_choice.h"
 CURVE_PATH_WRITER = INTERNAL + "interface/curves/Curve_path_writer.h"
 CURVE_SEGMENTS = INTERNAL + "interface/curves/curve_segments.h"
+SURFACE_CURVE = "CGAL/Surface_mesh_geodesics/Surface_curve.h"
+BORDER_CYCLES = INTERNAL + "interface/curves/border_cycles.h"
 PATH_CURVE = "CGAL/Surface_mesh_geodesics/shortest_path_curve.h"
 RAY_SECTORS = INTERNAL + "paths/Ray_sectors.h"
 PATH_DIRECTIONS = INTERNAL + "interface/directions/path_directions.h"
@@ -186,6 +188,7 @@ CURVES = "test_curves"
 SIGNS = "test_signed_distances"
 HOSTILE_CURVES = "test_curves_on_hostile_meshes"
 CURVE_PATHS = "test_paths_from_curves"
+BORDER_CURVES = "test_border_curves"
 CURVES_OF_PATHS = "test_shortest_path_curve"
 BOUNDS = "test_radix_heap"
 KEPT_WINDOWS = "test_face_windows"
@@ -1273,6 +1276,12 @@ MUTANTS = [
     ("curve_of_paths_is_open", PATH_CURVE,
      "places.size() - (is_closed ? 0 : 1)", "places.size() - 1",
      "the last point is not joined with the first one", (CURVES_OF_PATHS,)),
+    ("border_through_faces_to_avoid", BORDER_CYCLES,
+     "while(!is_open(opposite(h, tm)))", "while(false)",
+     "the border of the rest leads on along an edge that is not on it", (BORDER_CURVES,)),
+    ("border_in_the_other_direction", SURFACE_CURVE,
+     "(tm, opposite(h, tm), true));", "(tm, opposite(h, tm), false));",
+     "the segments of a border do not join", (BORDER_CURVES,)),
     ("curve_of_paths_from_inside", CURVE_SEGMENTS,
      "is_inside = is_inside && is_avoided(f);", "is_inside = false && is_avoided(f);",
      "a point inside of the faces to avoid is called source 0, wherever it is in the range", (CURVES_OF_PATHS,)),

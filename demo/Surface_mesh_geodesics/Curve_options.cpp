@@ -55,7 +55,8 @@ void append_file(const std::string& file_name, const Mesh& mesh, const Obstacles
 void declare_curves(Option_descriptions& options, const std::string& role)
 {
   options.add_options()
-    ((role + "-border").c_str(), "all borders of the mesh, whole edges and not only their vertices")
+    ((role + "-border").c_str(),
+     "all borders of the mesh, or of what --avoid leaves of it; whole edges, and not only their vertices")
     ((role + "-curve").c_str(),
      boost::program_options::value<std::vector<std::string>>()->value_name("FILE")->composing(),
      "the curves in a file: the lines of an .obj, or a .polylines.txt; the points move to the surface, and shortest "
@@ -79,7 +80,8 @@ std::vector<Curve> curves_of(const std::string& role, const Arguments& arguments
     curves.push_back(p.is_vertex() ? Curve(mesh, p.vertex) : Curve(mesh, p.face_location));
   if(has(arguments, role + "-border"))
   {
-    std::vector<Curve> borders = CGAL::Surface_mesh_geodesics::border_curves(mesh);
+    std::vector<Curve> borders
+      = CGAL::Surface_mesh_geodesics::border_curves(mesh, CGAL::parameters::faces_to_avoid(avoided.faces));
     if(borders.empty())
       throw Command_error(Exit_code::BAD_USAGE, "--" + role + "-border: the surface has no border");
     for(Curve& border : borders)

@@ -24,9 +24,9 @@ void declare_curves(Option_descriptions& options, const std::string& role);
 // Is at least one of the options given?
 bool are_curves_given(const Arguments& arguments, const std::string& role);
 
-// The locations as curves of one point each, then the borders of the mesh, then the curves of files: their points move
-// to the faces that are not avoided, and shortest paths around the avoided faces and edges join them. Remarks on how
-// far the points were moved.
+// The locations as curves of one point each, then the borders of the faces that are not avoided, then the curves of
+// files: their points move to the faces that are not avoided, and shortest paths around the avoided faces and edges
+// join them. Remarks on how far the points were moved.
 // Throws a Command_error for a mesh without a border, and for what is wrong in a file, with the line.
 std::vector<Curve> curves_of(const std::string& role, const Arguments& arguments, const Mesh& mesh,
                              const std::vector<Location>& locations, const Obstacles& avoided,

@@ -146,11 +146,12 @@ py::array_t<double> signed_distances(Surface& surface, const Curves::Arrays& arr
   return to_array(std::move(d));
 }
 
-// The closed curves along the border: the points, faces and weights of their corners.
+// The closed curves along the border of the faces that are not avoided: the points, faces and weights of their corners.
 py::list border_curves(const Surface& surface)
 {
   py::list result;
-  for(const auto& curve : geodesics::border_curves(surface.mesh()))
+  const auto np = CGAL::parameters::faces_to_avoid(surface.avoided_faces());
+  for(const auto& curve : geodesics::border_curves(surface.mesh(), np))
   {
     Line corners;
     for(const auto& segment : curve.segments())

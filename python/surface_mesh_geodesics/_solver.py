@@ -162,7 +162,7 @@ class Solver:
                                               arguments.call_of(threads, progress))
 
     def border_curves(self) -> list[Curve]:
-        """Returns the borders of the surface as closed curves.
+        """Returns the borders of the surface as closed curves. The rim of faces to avoid is a border.
 
         >>> import surface_mesh_geodesics as smg
         >>> s = smg.Solver([[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0], [1, 1, 0]],

@@ -133,6 +133,12 @@ def test_curves_on_surfaces_without_points_and_around_faces():
     around = plain.avoiding(wall).distances(curve)
     assert (around >= plain.distances(curve) - 1e-13).all() and around[-7] > plain.distances(curve)[-7] + 0.1
     assert len(pickle.loads(pickle.dumps(plain)).border_curves()) == 1
+    # The borders of the faces that are left: the wall ends at the border.
+    left = [f for f in range(len(F)) if f not in wall]
+    rest, beside = smg.Solver(V, F[left]), plain.avoiding(wall)
+    expected = rest.distances(rest.border_curves())
+    assert (beside.distances(beside.border_curves()) == expected).all() and np.isfinite(expected).all()
+    assert (expected != plain.distances(plain.border_curves())).any()
 
 
 @pytest.mark.parametrize("places, error, message", [

@@ -14,11 +14,16 @@
 
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Private_access.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/curves/border_cycles.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/curves/curve_segments.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/map_checks.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
 
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -26,7 +31,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -277,13 +281,7 @@ private:
     const halfedge_descriptor inner = is_reversed ? opposite(h, tm) : h;
     if(is_border(inner, tm))
       internal::reject_curve(position, "is a halfedge without a face on either side");
-    Segment s{face(inner, tm), Barycentric_coordinates{}, Barycentric_coordinates{}};
-    unsigned int k = 0;
-    for(halfedge_descriptor g = halfedge(s.face, tm); g != inner; g = next(g, tm))
-      ++k;
-    (is_reversed ? s.target : s.source)[k] = 1;
-    (is_reversed ? s.source : s.target)[internal::next_corner(k)] = 1;
-    m_segments.push_back(s);
+    m_segments.push_back(internal::segment_of_halfedge<Segment>(tm, inner, is_reversed));
   }
 
   std::vector<Segment> m_segments;
@@ -316,31 +314,56 @@ struct Surface_curve_point
 returns the cycles of border edges of a triangle mesh as closed curves, the surface on their right: their halfedges have
 no face on the left. Takes linear time, and that of a set of border halfedges.
 
+With faces to avoid, these are the borders of the other faces, as if the faces to avoid were not in the mesh: the rim of
+these faces is a border, and an edge of the border whose face is avoided is none. So they are the curves for a
+computation that avoids the same faces; it would reject a curve along edges all of whose faces are avoided. An edge
+without a face is in no curve.
+
+\code
+geodesic_distances(mesh, distance, border_curves(mesh, CGAL::parameters::faces_to_avoid(water)),
+                   CGAL::parameters::faces_to_avoid(water)); // from the coast, and from the border of the land
+\endcode
+
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tm the triangle mesh
-\return the curves in the order of their first halfedges in `halfedges(tm)`; none if the surface has no border
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `face_index_map` and `faces_to_avoid`,
+       with the types and defaults of `geodesic_distances()`
+
+\return the curves in the order of their first halfedges in `halfedges(tm)`; none if there is no border
+
+\throws Invalid_geodesic_input with the reason `INVALID_DESCRIPTOR`, and with the position of the face in its range, if
+        a face to avoid is not one of the mesh
 
 \sa `Surface_curve`
 */
-template <typename TriangleMesh>
-std::vector<Surface_curve<TriangleMesh>> border_curves(const TriangleMesh& tm)
+template <typename TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
+std::vector<Surface_curve<TriangleMesh>> border_curves(const TriangleMesh& tm,
+                                                       const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
-  std::vector<Surface_curve<TriangleMesh>> curves;
-  std::set<halfedge_descriptor> done;
-  for(const halfedge_descriptor first : halfedges(tm))
+  using Curve = Surface_curve<TriangleMesh>;
+  using halfedge_descriptor = typename Curve::halfedge_descriptor;
+  internal::check_parameters<internal::Border_parameters>(tm, np);
+  std::vector<Curve> curves;
+  // A halfedge of the border is run along in the face on its other side.
+  const auto append = [&](const std::vector<halfedge_descriptor>& cycle)
   {
-    if(!is_border(first, tm) || !done.insert(first).second)
-      continue;
-    std::vector<halfedge_descriptor> cycle{first};
-    for(halfedge_descriptor h = next(first, tm); h != first; h = next(h, tm))
-    {
-      cycle.push_back(h);
-      done.insert(h);
-    }
-    curves.push_back(Surface_curve<TriangleMesh>::along_halfedges(tm, cycle));
+    std::vector<typename Curve::Segment> segments;
+    for(const halfedge_descriptor h : cycle)
+      segments.push_back(internal::segment_of_halfedge<typename Curve::Segment>(tm, opposite(h, tm), true));
+    curves.push_back(internal::Private_access::make<Curve>(std::move(segments), true));
+  };
+  if constexpr(internal::Has_parameter<CGAL_NP_CLASS, internal_np::faces_to_avoid_t>::value)
+  {
+    const auto fim = CGAL::get_initialized_face_index_map(tm, np);
+    const internal::Obstacles obstacles{internal::avoided_faces(tm, fim, np), {}};
+    internal::for_each_border_cycle(tm, [&](halfedge_descriptor h) {
+      return !is_border(h, tm) && !obstacles.avoids(static_cast<std::size_t>(get(fim, face(h, tm))));
+    }, append);
   }
+  else
+    internal::for_each_border_cycle(tm, [&](halfedge_descriptor h) { return !is_border(h, tm); }, append);
   return curves;
 }
 

@@ -83,6 +83,25 @@ $goal all the same" ${call%% *} "$grid" ${call#* }-curve inside.obj --avoid midd
 done
 remarks "inside.obj, line 2: the point was moved to $goal, by 4.71 %" \
   distances "$grid" --source-curve inside.obj --avoid middle.txt --snap
+# The border of what is left: the rim of the square in the middle is one more border; without the faces left of x = 1/3
+# and those below y = 1/3, which touch the border, a square is left.
+is_silent distances "$grid" --source-border --avoid middle.txt > rim.csv
+expect rim.csv 0 # all vertices are on one of the two
+equals "$(column rim.csv source | sort -u | paste -sd,)" 0,1
+awk 'NR == 2 { n = $1 } NR > 2 && NR <= n + 2 { x[NR - 3] = $1; y[NR - 3] = $2 }
+  NR > n + 2 && NF >= 4 { if(x[$2] + x[$3] + x[$4] < 1 || y[$2] + y[$3] + y[$4] < 1) print NR - n - 3 }' "$grid" > L.txt
+equals "$(wc -l < L.txt)" 10
+is_silent distances "$grid" --source-border --avoid L.txt --quiet > rest.csv
+awk -F, 'NR > 1 { x = int($1 / 4) / 3; y = $1 % 4 / 3; if(x == 0 || y == 0) { if($2 != "inf") exit 1; next }
+    if($2 - (x == 2 / 3 && y == 2 / 3 ? 1 / 3 : 0) > 1e-12) exit 1; ++n } END { exit n != 9 }' rest.csv || fail "rest.csv"
+equals "$(column rest.csv distance | line /dev/stdin 11 | cut -c1-8)" 0.333333
+is_silent check "$grid" --source-border --avoid L.txt --distances rest.csv --quiet > certificate.csv
+is_silent voronoi "$grid" --site-border --avoid L.txt --vertices --quiet > labels.csv
+is_near "$(column labels.csv distance | line /dev/stdin 11)" "$(column rest.csv distance | line /dev/stdin 11)"
+equals "$(column labels.csv distance | grep -c inf)" 7
+is_silent sample "$grid" --number 1 --first-border --avoid L.txt --quiet > inside.csv
+equals "$(column inside.csv vertex)" 10 # the only vertex that is not on the border
+rejects 2 "--source-border: the surface has no border" distances "$grid" --source-border --avoid faces.txt
 
 # The curves that the program writes: a shortest path of its own is as near to its ends as to all its points.
 is_silent path "$grid" --source-point 0.05,0.1,0 --target-point 0.95,0.7,0 -o path.obj -o path.polylines.txt

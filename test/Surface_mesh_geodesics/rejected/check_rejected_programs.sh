@@ -109,6 +109,10 @@ done
 # The faces of a new mesh know nothing of edges of the old one.
 expect "does not take the named parameter" "${remeshing}np::edges_to_avoid(std::vector<Mesh::Edge_index>()))"
 
+# Borders have faces to avoid, but walls are no borders.
+expect '' "border_curves(tm, np::faces_to_avoid(std::vector<Face>()).face_index_map(Map<Face, int>()))"
+expect "does not take the named parameter" "border_curves(tm, np::edges_to_avoid(std::vector<Mesh::Edge_index>()))"
+
 for call in "$sampling" "$relaxation"; do
   expect "neither a curve nor a range of curves" "${call}np::first_curves(numbers))"
 done

@@ -12,7 +12,7 @@
 
 // The one friend of public classes. They have something for the functions of this package and not for users: the
 // functions that check construct certificates, those for matrices use the surface that a solver has read, and
-// shortest_path_curve() makes curves of segments.
+// shortest_path_curve() and border_curves() make curves of segments.
 //
 // Friends that are functions would have to be declared with all their template parameters, before the classes. So the
 // classes name one struct, which lets the rooms above in: Geodesic_distance_certificate, Geodesic_Voronoi_certificate,

@@ -72,27 +72,6 @@ template <typename TriangleMesh, typename Solver>
 void write_nearest_sources(const TriangleMesh&, const Solver&, No_nearest_source_map)
 {}
 
-// The value is a range, or a map that is read at each face; either may be in std::ref() or std::cref(). A value of
-// another type does not compile.
-//
-// Returns the flags of the faces to avoid among the named parameters; none if the parameter is not there, at no cost.
-// Throws Invalid_geodesic_input. Takes linear time.
-template <typename TriangleMesh, typename FaceIndexMap, typename NamedParameters>
-std::vector<char> avoided_faces(const TriangleMesh& tm, const FaceIndexMap& fim, const NamedParameters& np)
-{
-  if constexpr(Has_parameter<NamedParameters, internal_np::faces_to_avoid_t>::value)
-  {
-    using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
-    const auto& avoided = parameters::get_parameter_reference(np, internal_np::faces_to_avoid);
-    using Value = std::remove_const_t<std::remove_reference_t<decltype(avoided)>>;
-    static_assert(Is_property_map<Value>::value || Is_range_of<Value, face_descriptor>::value,
-                  "the value of the named parameter faces_to_avoid is neither a range of faces nor a property map");
-    return flags_of_avoided_faces(tm, fim, avoided);
-  }
-  else
-    return {};
-}
-
 // For a point that no path from the source reaches: throws if it is a vertex all of whose faces are avoided. (Sources
 // and locations are rejected anyway, when the mesh is read; so both ends of a path are treated alike. Where many
 // distances are asked for, vertices inside are simply not reached.) Linear in the number of faces, if faces are to be
@@ -114,31 +93,6 @@ void reject_unreached_inside(const TriangleMesh& tm, const Place& place, const N
         return;
     reject_avoided("the point", Invalid_geodesic_input::no_element);
   }
-}
-
-// Returns the walls among the named parameters, the edges to avoid, told to the faces on both sides; none if the
-// parameter is not there, at no cost. Throws Invalid_geodesic_input. Takes linear time.
-template <typename TriangleMesh, typename FaceIndexMap, typename NamedParameters>
-std::vector<Wall_bits> walls(const TriangleMesh& tm, const FaceIndexMap& fim, const NamedParameters& np)
-{
-  if constexpr(Has_parameter<NamedParameters, internal_np::edges_to_avoid_t>::value)
-  {
-    using edge_descriptor = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
-    const auto& avoided = parameters::get_parameter_reference(np, internal_np::edges_to_avoid);
-    using Value = std::remove_const_t<std::remove_reference_t<decltype(avoided)>>;
-    static_assert(Is_property_map<Value>::value || Is_range_of<Value, edge_descriptor>::value,
-                  "the value of the named parameter edges_to_avoid is neither a range of edges nor a property map");
-    return walls_of_edges(tm, fim, avoided);
-  }
-  else
-    return {};
-}
-
-// Returns the faces and the edges to avoid, for the reader of the mesh.
-template <typename TriangleMesh, typename FaceIndexMap, typename NamedParameters>
-Obstacles obstacles(const TriangleMesh& tm, const FaceIndexMap& fim, const NamedParameters& np)
-{
-  return {avoided_faces(tm, fim, np), walls(tm, fim, np)};
 }
 
 // Computes the distances from sources with given options (parameter_values.h). `shape` tells where the lengths come

@@ -15,6 +15,8 @@
 
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/Parameter_sequence.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/map_checks.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/walls/Wall_cut.h>
@@ -416,6 +418,52 @@ bool is_wall_of(typename boost::graph_traits<TriangleMesh>::edge_descriptor e, c
     h = opposite(h, tm);
   return !is_border(h, tm)
       && is_wall(obstacles.walls_of(static_cast<std::size_t>(get(fim, face(h, tm)))), number_in_face(h, tm));
+}
+
+// The value is a range, or a map that is read at each face; either may be in std::ref() or std::cref(). A value of
+// another type does not compile.
+//
+// Returns the flags of the faces to avoid among the named parameters; none if the parameter is not there, at no cost.
+// Throws Invalid_geodesic_input. Takes linear time.
+template <typename TriangleMesh, typename FaceIndexMap, typename NamedParameters>
+std::vector<char> avoided_faces(const TriangleMesh& tm, const FaceIndexMap& fim, const NamedParameters& np)
+{
+  if constexpr(Has_parameter<NamedParameters, internal_np::faces_to_avoid_t>::value)
+  {
+    using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
+    const auto& avoided = parameters::get_parameter_reference(np, internal_np::faces_to_avoid);
+    using Value = std::remove_const_t<std::remove_reference_t<decltype(avoided)>>;
+    static_assert(Is_property_map<Value>::value || Is_range_of<Value, face_descriptor>::value,
+                  "the value of the named parameter faces_to_avoid is neither a range of faces nor a property map");
+    return flags_of_avoided_faces(tm, fim, avoided);
+  }
+  else
+    return {};
+}
+
+// Returns the walls among the named parameters, the edges to avoid, told to the faces on both sides; none if the
+// parameter is not there, at no cost. Throws Invalid_geodesic_input. Takes linear time.
+template <typename TriangleMesh, typename FaceIndexMap, typename NamedParameters>
+std::vector<Wall_bits> walls(const TriangleMesh& tm, const FaceIndexMap& fim, const NamedParameters& np)
+{
+  if constexpr(Has_parameter<NamedParameters, internal_np::edges_to_avoid_t>::value)
+  {
+    using edge_descriptor = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
+    const auto& avoided = parameters::get_parameter_reference(np, internal_np::edges_to_avoid);
+    using Value = std::remove_const_t<std::remove_reference_t<decltype(avoided)>>;
+    static_assert(Is_property_map<Value>::value || Is_range_of<Value, edge_descriptor>::value,
+                  "the value of the named parameter edges_to_avoid is neither a range of edges nor a property map");
+    return walls_of_edges(tm, fim, avoided);
+  }
+  else
+    return {};
+}
+
+// Returns the faces and the edges to avoid, for the reader of the mesh.
+template <typename TriangleMesh, typename FaceIndexMap, typename NamedParameters>
+Obstacles obstacles(const TriangleMesh& tm, const FaceIndexMap& fim, const NamedParameters& np)
+{
+  return {avoided_faces(tm, fim, np), walls(tm, fim, np)};
 }
 
 // Coordinates of a type with fewer digits than double err by the rounding of that type, which is far more than the

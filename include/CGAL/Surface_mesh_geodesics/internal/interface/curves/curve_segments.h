@@ -181,6 +181,20 @@ void reject_points_inside(const TriangleMesh& tm, const std::vector<Point_of_fac
   }
 }
 
+// Returns the segment along the halfedge h in its face, or against its direction. Requires: h has a face.
+template <typename Segment, typename TriangleMesh>
+Segment segment_of_halfedge(const TriangleMesh& tm, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h,
+                            bool is_reversed)
+{
+  Segment s{face(h, tm), {}, {}};
+  unsigned int k = 0;
+  for(auto g = halfedge(s.face, tm); g != h; g = next(g, tm))
+    ++k;
+  (is_reversed ? s.target : s.source)[k] = 1;
+  (is_reversed ? s.source : s.target)[next_corner(k)] = 1;
+  return s;
+}
+
 // Two vertices may be in several common faces: both sides of their edge. Then the segment runs along that edge, in
 // whatever face it is given. (Where several edges join them, the first face decides; halfedges tell exactly.)
 //

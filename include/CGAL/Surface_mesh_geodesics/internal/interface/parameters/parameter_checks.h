@@ -124,6 +124,7 @@ using Signed_distance_parameters
 using Isoline_parameters
   = Extended_set<Signed_distance_parameters, internal_np::source_offsets_t, internal_np::vertex_distance_map_t,
                  internal_np::nearest_source_map_t>::type;
+using Border_parameters = Extended_set<Mesh_parameters, internal_np::faces_to_avoid_t>::type;
 using Matrix_parameters = Surface_parameters;
 using Edge_length_tracing_parameters = Edge_length_surface_parameters;
 using Tracing_parameters = Surface_parameters;
