@@ -2,6 +2,7 @@
 //
 // Usage: store_with_mpi FOLDER [options]
 //   --float32, --symmetric, --radius R   what is stored
+//   --avoid                              some faces and edges are avoided
 //   --kill RANK ROWS                     that rank kills itself after so many rows. The others are slow, so that work
 //                                        is left when mpirun ends them
 //   --throw                              the visitor of rank 0 throws when it is told of rows of other ranks
@@ -30,6 +31,7 @@
 #include <limits>
 #include <string>
 #include <thread>
+#include <vector>
 
 using namespace test_meshes;
 namespace SMG = CGAL::Surface_mesh_geodesics;
@@ -100,6 +102,8 @@ int main(int argc, char* argv[])
   bool is_alone = false, has_threads = false, use_float32 = false, use_symmetry = false;
   double radius = std::numeric_limits<double>::infinity();
   Mesh tm = to_face_graph(icosphere(3));
+  std::vector<face_descriptor> avoided;
+  std::vector<Mesh::Edge_index> walls;
   for(int k = 2; k < argc; ++k)
   {
     const std::string option = argv[k];
@@ -109,6 +113,15 @@ int main(int argc, char* argv[])
       use_symmetry = true;
     else if(option == "--radius")
       radius = std::atof(argv[++k]);
+    else if(option == "--avoid")
+    {
+      for(const face_descriptor f : faces(tm))
+        if(f % 7 == 0)
+          avoided.push_back(f);
+      for(const Mesh::Edge_index e : edges(tm))
+        if(e % 11 == 0)
+          walls.push_back(e);
+    }
     else if(option == "--throw")
       visitor.throws = world.rank() == 0;
     else if(option == "--threads")
@@ -128,7 +141,8 @@ int main(int argc, char* argv[])
     }
   }
   const auto parameters
-    = CGAL::parameters::use_float32(use_float32).use_symmetry(use_symmetry).maximum_distance(radius);
+    = CGAL::parameters::use_float32(use_float32).use_symmetry(use_symmetry).maximum_distance(radius)
+        .faces_to_avoid(avoided).edges_to_avoid(walls);
   if(is_alone)
   {
     return SMG::store_geodesic_distance_matrix(tm, vertices(tm), vertices(tm), argv[1], parameters).is_complete()

@@ -23,7 +23,7 @@ start() {
   "$mpirun" -n "$ranks" "$program" "$@"
 }
 
-for kind in "" --float32 --symmetric "--radius 0.4"; do
+for kind in "" --float32 --symmetric "--radius 0.4" "--avoid --symmetric"; do
   "$program" alone $kind --alone
   for ranks in 1 2 4; do
     start $ranks "with_$ranks" $kind > out
