@@ -141,8 +141,7 @@ py::array_t<double> signed_distances(Surface& surface, const Curves::Arrays& arr
   const auto np = CGAL::parameters::maximum_distance(radius).visitor(std::ref(visitor))
                     .faces_to_avoid(surface.avoided_faces());
   const auto map = boost::make_iterator_property_map(d.begin(), get(boost::vertex_index, surface.mesh()));
-  surface.run_alone(visitor, 1, [&]()
-  { geodesics::signed_geodesic_distances(surface.mesh(), map, given.curves, np); });
+  surface.run_alone(visitor, 1, [&] { geodesics::signed_geodesic_distances(surface.mesh(), map, given.curves, np); });
   return to_array(std::move(d));
 }
 
