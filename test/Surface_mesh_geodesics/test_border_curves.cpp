@@ -3,6 +3,7 @@
 
 #include "curve_cases.h"
 #include "expected_exceptions.h"
+#include "faces_to_avoid.h"
 #include "test_meshes.h"
 #include "test_support.h"
 
@@ -93,15 +94,6 @@ void check_rest(const Mesh& tm, const Faces& avoided)
     CHECK_EQUAL(d[v], expected[v]);
     CHECK_EQUAL(with_sign[v], d[v]); // the surface is on the right of its borders
   }
-}
-
-Faces random_faces(const Mesh& tm, double part, test_support::Random& random)
-{
-  Faces result;
-  for(const face_descriptor f : faces(tm))
-    if(random.uniform() < part)
-      result.push_back(f);
-  return result;
 }
 
 void borders_of_the_rest(test_support::Random& random)

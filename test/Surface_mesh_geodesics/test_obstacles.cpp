@@ -2,6 +2,7 @@
 // a visibility graph. Sources and queries at the rim, invalid input.
 
 #include "expected_exceptions.h"
+#include "faces_to_avoid.h"
 #include "hostile_meshes.h"
 #include "test_meshes.h"
 #include "test_support.h"
@@ -48,25 +49,6 @@ namespace {
 using Traits = CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>;
 using Paths = CGAL::Surface_mesh_geodesic_paths<Traits>;
 using Filtered = CGAL::Face_filtered_graph<Mesh>;
-
-std::vector<face_descriptor> random_faces(const Mesh& tm, double part, test_support::Random& random)
-{
-  std::vector<face_descriptor> result;
-  for(const face_descriptor f : faces(tm))
-    if(random.uniform() < part)
-      result.push_back(f);
-  return result;
-}
-
-std::vector<face_descriptor> other_faces(const Mesh& tm, const std::vector<face_descriptor>& avoided)
-{
-  const std::set<face_descriptor> set(avoided.begin(), avoided.end());
-  std::vector<face_descriptor> rest;
-  for(const face_descriptor f : faces(tm))
-    if(set.count(f) == 0)
-      rest.push_back(f);
-  return rest;
-}
 
 // The distances of a filtered graph, infinity for vertices that it does not have.
 std::map<vertex_descriptor, double> distances_in_filtered_graph(const Mesh& tm,

@@ -2,6 +2,7 @@
 // faces, and the folder of a matrix knows them.
 
 #include "expected_exceptions.h"
+#include "faces_to_avoid.h"
 #include "matrix_store_helpers.h"
 #include "test_meshes.h"
 #include "test_support.h"
@@ -26,7 +27,6 @@
 #include <functional>
 #include <limits>
 #include <map>
-#include <set>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -43,25 +43,6 @@ using Traits = CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>;
 using Diagram = CGAL::Surface_mesh_geodesic_Voronoi_diagram<Traits>;
 using Filtered = CGAL::Face_filtered_graph<Mesh>;
 using Faces = std::vector<face_descriptor>;
-
-Faces random_faces(const Mesh& tm, double part, test_support::Random& random)
-{
-  Faces result;
-  for(const face_descriptor f : faces(tm))
-    if(random.uniform() < part)
-      result.push_back(f);
-  return result;
-}
-
-Faces other_faces(const Mesh& tm, const Faces& avoided)
-{
-  const std::set<face_descriptor> set(avoided.begin(), avoided.end());
-  Faces rest;
-  for(const face_descriptor f : faces(tm))
-    if(set.count(f) == 0)
-      rest.push_back(f);
-  return rest;
-}
 
 // --- certificates ---
 
