@@ -51,7 +51,7 @@ public:
     ARCS,       ///< Points of an arc have the stated distance from both of its sites.
     VERTICES,   ///< Vertices of the diagram have the stated distance from all of their sites.
     OWNERS,     ///< Vertices of the mesh and points of faces have the stated distance from their nearest site.
-    NEAREST,    ///< No other site is nearer to any of these points, or to a site or points of it.
+    NEAREST,    ///< No other site is nearer to any of these points, to a site, or to points of a curve.
     BOUNDARIES, ///< Boundaries of cells are closed or end at the border of the mesh, and each edge has two sides.
     AREAS,      ///< Areas of cells are not negative, and add up to that of the faces that a site reaches.
     DISTANCES,  ///< `certify_geodesic_distances()` accepts the distances of the vertices of the mesh.

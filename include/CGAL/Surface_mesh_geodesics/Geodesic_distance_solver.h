@@ -51,8 +51,8 @@ each time from another source or other sources.
 It gives the distances of `geodesic_distances()` with the same tag, to the same bits. The constructor reads the mesh
 once, and each computation reuses the memory of the one before. A computation that ends early, at a radius or when the
 distances of some targets are final, takes time proportional to the number of windows in the area that it reaches, and
-none for the rest of the mesh. The first computation from curves, and the first one after a computation from points,
-also takes time linear in the size of the mesh: curves have tables of their own, which are given back then.
+none for the rest of the mesh. Curves have tables of their own, which have the size of the mesh: a computation from
+curves makes them if the one before was from points, and the next one from points frees them.
 
 \code
 Geodesic_distance_solver<Mesh> solver(tm);

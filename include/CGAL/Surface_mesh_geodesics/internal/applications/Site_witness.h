@@ -224,7 +224,8 @@ public:
       m_function.read(e.left != null_id ? e.left : e.right, e.left == null_id, pieces);
       for(const Distance_piece<double>& p : pieces)
       {
-        visit_at(p.begin / e.length);
+        if(p.begin > 0)
+          visit_at(p.begin / e.length);
         visit_at((p.begin + p.end) / 2 / e.length);
       }
     }
