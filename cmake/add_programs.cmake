@@ -64,10 +64,16 @@ function(surface_mesh_geodesics_set_up_program target folder uses_eigen uses_tbb
   endif()
 endfunction()
 
+# Notes a unit, its folder and whether it uses Eigen for the checks with a second compiler (check_headers.cmake).
+function(surface_mesh_geodesics_note_unit unit folder uses_eigen)
+  set_property(GLOBAL APPEND PROPERTY Surface_mesh_geodesics_PROGRAM_UNITS "${unit}|${folder}|${uses_eigen}")
+endfunction()
+
 # Adds a program named like its source file.
 function(surface_mesh_geodesics_add_program source uses_eigen uses_tbb)
   get_filename_component(folder "${source}" DIRECTORY)
   get_filename_component(name "${source}" NAME_WE)
+  surface_mesh_geodesics_note_unit("${source}" "${folder}" ${uses_eigen})
   add_executable(${name} "${source}")
   surface_mesh_geodesics_set_up_program(${name} "${folder}" ${uses_eigen} ${uses_tbb})
 endfunction()
@@ -85,6 +91,7 @@ function(surface_mesh_geodesics_add_program_group group uses_eigen uses_tbb)
     DEPENDS ${ARGN} "${script}"
     COMMENT "Writing ${group}.cpp"
     VERBATIM)
+  surface_mesh_geodesics_note_unit("${unit}" "${folder}" ${uses_eigen})
   add_executable(${group} "${unit}")
   surface_mesh_geodesics_set_up_program(${group} "${folder}" ${uses_eigen} ${uses_tbb})
   foreach(source IN LISTS ARGN)
@@ -96,8 +103,8 @@ function(surface_mesh_geodesics_add_program_group group uses_eigen uses_tbb)
   endforeach()
 endfunction()
 
-# Adds a program for each source file and notes the files for the checks with a second compiler. Programs are grouped if
-# Surface_mesh_geodesics_GROUP_PROGRAMS is on, `size` in a group, except those that define or undefine macros.
+# Adds a program for each source file, and notes the files for the checks that compile each of them alone. Programs are
+# grouped if Surface_mesh_geodesics_GROUP_PROGRAMS is on, `size` in a group, except those that define or undefine macros.
 function(surface_mesh_geodesics_add_programs group size)
   set_property(GLOBAL APPEND PROPERTY Surface_mesh_geodesics_PROGRAM_SOURCES ${ARGN})
   foreach(source IN LISTS ARGN)

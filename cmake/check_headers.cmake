@@ -1,9 +1,12 @@
-# Checks of the headers, as CTest tests of the configurations `full` and `long`, with g++ and clang++ if they are there:
+# Checks of the headers, as CTest tests of the configuration `full`, with g++ and clang++ if they are there:
 # - each header compiles alone, with warnings as errors, and may be included twice;
 # - all headers compile after macros with short names, such as those of Windows;
 # - two units that both include every header link together into one program (finds a missing `inline`);
-# - each program compiles alone and without warnings with the compiler that does not build them. Templates show their
-#   warnings only when they are instantiated, and programs in groups hide missing includes.
+# - the programs compile without warnings with the compiler that does not build them, in the groups of the build:
+#   templates show their warnings only when they are instantiated.
+#
+# The compiler that builds the programs reads each header alone. The other one does so in the configuration `long`,
+# where each program compiles alone, too: groups hide missing includes.
 
 find_program(Surface_mesh_geodesics_GCC NAMES g++)
 find_program(Surface_mesh_geodesics_CLANG NAMES clang++)
@@ -65,15 +68,31 @@ foreach(library IN ITEMS "${MPFR_LIBRARIES}" "${GMP_LIBRARIES}")
   endif()
 endforeach()
 
-function(surface_mesh_geodesics_add_header_test name)
+# Adds a test of the configuration `full` or `long`.
+function(surface_mesh_geodesics_add_header_test configuration name)
   add_test(
     NAME "${name}"
     COMMAND ${ARGN}
-    CONFIGURATIONS full long)
-  set_tests_properties("${name}" PROPERTIES LABELS headers)
+    CONFIGURATIONS ${configuration})
+  set(labels headers)
+  if(configuration STREQUAL "long")
+    list(APPEND labels long)
+  endif()
+  set_tests_properties("${name}" PROPERTIES LABELS "${labels}")
+endfunction()
+
+# Adds a test that compiles a unit with the command `compile`.
+function(surface_mesh_geodesics_add_unit_test configuration name unit folder uses_eigen)
+  set(options)
+  if(uses_eigen)
+    set(options -DCGAL_EIGEN3_ENABLED)
+  endif()
+  surface_mesh_geodesics_add_header_test(${configuration} "${name}" ${compile} ${options} "-I${folder}/include"
+                                         -fsyntax-only "${unit}")
 endfunction()
 
 get_property(program_sources GLOBAL PROPERTY Surface_mesh_geodesics_PROGRAM_SOURCES)
+get_property(program_units GLOBAL PROPERTY Surface_mesh_geodesics_PROGRAM_UNITS)
 
 foreach(compiler IN ITEMS "${Surface_mesh_geodesics_GCC}" "${Surface_mesh_geodesics_CLANG}")
   if(NOT compiler)
@@ -82,40 +101,50 @@ foreach(compiler IN ITEMS "${Surface_mesh_geodesics_GCC}" "${Surface_mesh_geodes
   endif()
   get_filename_component(compiler_name "${compiler}" NAME)
   set(compile "${compiler}" "@${check_folder}/flags.txt")
+  set(configuration_of_headers long)
+  if((CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND compiler STREQUAL Surface_mesh_geodesics_GCC)
+     OR (CMAKE_CXX_COMPILER_ID MATCHES "Clang" AND compiler STREQUAL Surface_mesh_geodesics_CLANG))
+    set(configuration_of_headers full)
+  endif()
 
   foreach(header IN LISTS headers)
-    surface_mesh_geodesics_add_header_test("header_alone/${compiler_name}/${header}" ${compile} -fsyntax-only
-                                           "${check_folder}/alone/${header}.cpp")
+    surface_mesh_geodesics_add_header_test(
+      ${configuration_of_headers} "header_alone/${compiler_name}/${header}" ${compile} -fsyntax-only
+      "${check_folder}/alone/${header}.cpp")
   endforeach()
 
   foreach(definition IN ITEMS -UCGAL_LINKED_WITH_TBB -DCGAL_LINKED_WITH_TBB)
     surface_mesh_geodesics_add_header_test(
-      "headers_after_macros/${compiler_name}/${definition}" ${compile} ${definition}
+      full "headers_after_macros/${compiler_name}/${definition}" ${compile} ${definition}
       "-I${CMAKE_CURRENT_SOURCE_DIR}/test/Surface_mesh_geodesics/include" -fsyntax-only
       "${check_folder}/after_macros.cpp")
   endforeach()
 
   set(program "${check_folder}/two_units_${compiler_name}")
   surface_mesh_geodesics_add_header_test(
-    "two_units_link/${compiler_name}" ${compile} "${check_folder}/first_unit.cpp" "${check_folder}/second_unit.cpp" -o
-    "${program}" ${number_libraries} -pthread)
-  surface_mesh_geodesics_add_header_test("two_units_run/${compiler_name}" "${program}")
+    full "two_units_link/${compiler_name}" ${compile} "${check_folder}/first_unit.cpp"
+    "${check_folder}/second_unit.cpp" -o "${program}" ${number_libraries} -pthread)
+  surface_mesh_geodesics_add_header_test(full "two_units_run/${compiler_name}" "${program}")
   set_tests_properties("two_units_link/${compiler_name}" PROPERTIES FIXTURES_SETUP "two_units_${compiler_name}")
   set_tests_properties("two_units_run/${compiler_name}" PROPERTIES FIXTURES_REQUIRED "two_units_${compiler_name}")
 
-  if((CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND compiler STREQUAL Surface_mesh_geodesics_GCC)
-     OR (CMAKE_CXX_COMPILER_ID MATCHES "Clang" AND compiler STREQUAL Surface_mesh_geodesics_CLANG))
-    continue()
+  if(configuration_of_headers STREQUAL "full")
+    continue() # this compiler builds the programs
   endif()
+  foreach(unit IN LISTS program_units)
+    string(REPLACE "|" ";" unit "${unit}")
+    list(GET unit 0 source)
+    list(GET unit 1 folder)
+    list(GET unit 2 uses_eigen)
+    get_filename_component(name "${source}" NAME_WE)
+    surface_mesh_geodesics_add_unit_test(full "unit_compiles/${compiler_name}/${name}" "${source}" "${folder}"
+                                         ${uses_eigen})
+  endforeach()
   foreach(source IN LISTS program_sources)
     get_filename_component(folder "${source}" DIRECTORY)
     get_filename_component(name "${source}" NAME_WE)
     surface_mesh_geodesics_uses_eigen("${source}" uses_eigen)
-    set(options)
-    if(uses_eigen)
-      set(options -DCGAL_EIGEN3_ENABLED)
-    endif()
-    surface_mesh_geodesics_add_header_test(
-      "program_compiles/${compiler_name}/${name}" ${compile} ${options} "-I${folder}/include" -fsyntax-only "${source}")
+    surface_mesh_geodesics_add_unit_test(long "program_compiles/${compiler_name}/${name}" "${source}" "${folder}"
+                                         ${uses_eigen})
   endforeach()
 endforeach()

@@ -45,6 +45,7 @@ SURFACE_SOURCES = INTERNAL + "interface/Surface_with_sources.h"
 PATH_SOLVER = INTERNAL + "interface/Path_solver.h"
 LOCATION_DISTANCE = INTERNAL + "paths/distance_at_location.h"
 CURVE_INSERTION = INTERNAL + "surface/curves/Curve_insertion.h"
+SOURCE_SET = INTERNAL + "surface/Source_set.h"
 CURVE_SIDES = INTERNAL + "surface/curves/Curve_sides.h"
 ISOLINE_CHOICE = INTERNAL + "interface/isolines/Isoline_choice.h"
 CURVE_PATH_WRITER = INTERNAL + "interface/curves/Curve_path_writer.h"
@@ -189,6 +190,7 @@ SIGNS = "test_signed_distances"
 HOSTILE_CURVES = "test_curves_on_hostile_meshes"
 CURVE_PATHS = "test_paths_from_curves"
 BORDER_CURVES = "test_border_curves"
+NEAREST_SITES = "test_nearest_sites"
 CURVES_OF_PATHS = "test_shortest_path_curve"
 BOUNDS = "test_radix_heap"
 KEPT_WINDOWS = "test_face_windows"
@@ -1247,7 +1249,7 @@ MUTANTS = [
      "while(m_has_inserted && ++walks < most_walks);\n    if(m_has_inserted)", "while(false);\n    if(false)",
      "edges of a curve that a later one divides get lost", (CURVES,)),
     ("larger_offset_of_copies", CURVE_INSERTION,
-     "(name(a) == name(b) && a.offset < b.offset)", "(name(a) == name(b) && a.offset > b.offset)",
+     "(name_of(a) == name_of(b) && a.offset < b.offset)", "(name_of(a) == name_of(b) && a.offset > b.offset)",
      "where two curves run along one edge, the larger offset counts", (CURVES,)),
     ("curves_along_twice_separate", CURVE_SIDES,
      "if(e.copies % 2 == 1)", "if(true)",
@@ -1285,4 +1287,20 @@ MUTANTS = [
     ("curve_of_paths_from_inside", CURVE_SEGMENTS,
      "is_inside = is_inside && is_avoided(f);", "is_inside = false && is_avoided(f);",
      "a point inside of the faces to avoid is called source 0, wherever it is in the range", (CURVES_OF_PATHS,)),
+    ("further_curves_with_any_weight", CURVE_INSERTION,
+     "item.offset == kept.offset && ", "",
+     "a curve with a smaller weight counts beside the one that it meets", (NEAREST_SITES,)),
+    ("further_curves_of_edges_lost", CURVE_ARRIVALS,
+     "is_vertex ? curves.further_curves_of_vertices : curves.further_curves_of_edges",
+     "curves.further_curves_of_vertices",
+     "an edge on several curves belongs to one of them", (NEAREST_SITES,)),
+    ("ends_of_rays_inside", CURVE_ARRIVALS,
+     "return {!is_end ? null_id :", "return {true ? null_id :",
+     "what is nearest to the end of an edge counts for the inside of the edge", (NEAREST_SITES,)),
+    ("equal_sources_with_any_offset", SOURCE_SET,
+     "if(offset(j) == offset(i) && ", "if(",
+     "a site with a smaller weight counts beside the one at its point", (NEAREST_SITES,)),
+    ("equal_sources_on_one_side", SOURCE_SET,
+     "if(number(j) == i)", "if(j == i)",
+     "two sites on the sides of a wall are not at one point", (NEAREST_SITES,)),
 ]

@@ -2,8 +2,8 @@
 # The long check, an hour on two cores: all that scripts/run_tests.sh leaves out. It has two parts; the name of
 # one as an argument runs only that one.
 #   full   builds with the flags of a release and runs all tests with them: also the examples, the program for the command
-#          line, each header alone with both compilers, the programs with clang, projects that use the package, CGAL's own
-#          examples, the Python module
+#          line, each header alone, the programs with clang, projects that use the package, CGAL's own examples, the
+#          Python module
 #   fuzz   runs a thousand random cases of each fuzz program
 # Everything is written below build/all. JOBS is the number of jobs at once, SEED the first number of the random cases.
 set -euo pipefail

@@ -95,8 +95,9 @@ is decided at that vertex; its boundary consists of the points beyond which the 
 Where the diagram is symmetric, arcs may run along edges and through vertices of the mesh, and more than three cells may
 meet.
 
-A point or a segment on several curves with the same weight belongs to the first of them, and so do all points that are
-nearest to it: where two curves meet in a corner, the whole region that is nearest to the corner. A curve that lies on
+A point or a segment on several curves with the same weight belongs to all of them, and so do all points that are
+nearest to it: where two curves meet in a corner, the whole region that is nearest to the corner. `nearest_sites()`
+tells all of them. As cells do not overlap, the region is a part of the cell of the first one. A curve that lies on
 earlier ones has an empty cell.
 
 <b>Walls.</b> `avoid_edges()` makes walls of edges. The surface is cut along them: for all that this class tells, a wall
@@ -779,6 +780,44 @@ public:
   Site_index nearest_site(const Face_location& location) const
   {
     return nearest_site(location.first, location.second);
+  }
+
+  /// writes all sites that have the point of the sites which is nearest to a vertex, of those with the largest weight.
+  /// `nearest_site()` returns one of them. So the common end of two curves belongs to both curves, and so do all points
+  /// that are nearest to it. An edge on several curves belongs to all of them, also if their cells are empty.
+  ///
+  /// Sites with different nearest points that are equally far are not all written: these are the sites of `arcs()` and
+  /// `vertices()` at that place.
+  ///
+  /// Takes the time of `nearest_site()`, plus time linear in the number of sites if all of them are points, or in the
+  /// number of windows on the edges of a face and of bends of the path if there are curves.
+  ///
+  /// \tparam OutputIterator a model of `OutputIterator` that takes `Site_index`
+  /// \param v a vertex of the mesh
+  /// \param output receives the numbers of the sites in ascending order; none if no site reaches `v`
+  /// \return the output iterator past the last number
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if `v` is not a vertex of the mesh
+  template <typename OutputIterator>
+  OutputIterator nearest_sites(vertex_descriptor v, OutputIterator output) const
+  {
+    for(const Site_index i : m_lazy.nearest_sites(v))
+      *output++ = i;
+    return output;
+  }
+
+  /// writes the sites that have the nearest point, as above, for a location.
+  ///
+  /// \tparam OutputIterator a model of `OutputIterator` that takes `Site_index`
+  /// \param location a face of the mesh and coordinates in it
+  /// \param output receives the numbers of the sites in ascending order; none if no site reaches the location
+  /// \return the output iterator past the last number
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the location is not on the mesh
+  template <typename OutputIterator>
+  OutputIterator nearest_sites(const Face_location& location, OutputIterator output) const
+  {
+    for(const Site_index i : m_lazy.nearest_sites(location.first, location.second))
+      *output++ = i;
+    return output;
   }
 
   /// returns the distance of a vertex from its nearest site, minus the weight of the site. Takes constant time.

@@ -10,10 +10,9 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_PATH_SOLVER_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_PATH_SOLVER_H
 
-// The solver that answers at any point of the surface: it keeps the windows of a run if they are wanted, and traces
-// paths and isolines. Surface_mesh_geodesic_paths and Surface_mesh_geodesic_Voronoi_diagram are built on it.
-// (Distance_solver computes distances of vertices alone, again and again; the public class Geodesic_distance_solver
-// forwards to it.)
+// The solver that answers at any point of the surface: it keeps windows if they are wanted, and traces paths and
+// isolines. Surface_mesh_geodesic_paths and Surface_mesh_geodesic_Voronoi_diagram are built on it. (Distance_solver,
+// for Geodesic_distance_solver, computes distances of vertices alone, again and again.)
 //
 // The order of use is: build_mesh(), begin_sources(), add_source() for each source, run(), queries. Queries only read;
 // several threads may call them at once.
@@ -319,11 +318,12 @@ public:
     return has_curves() ? curve_point(a).curve : source_at(m_field.source_of(a.root));
   }
 
-  // Returns the point of a source from which a path comes. Requires: a.is_reached(), and has_curves().
-  Curve_point<double> curve_point(const Arrival& a) const
+  // The point of a source from which a path comes, and its place in curves. Require: a.is_reached(), and has_curves().
+  Curve_point<double> curve_point(const Arrival& a) const { return curve_point_at(m_curves.curves, curve_place(a)); }
+  Curve_place<double> curve_place(const Arrival& a) const
   {
-    return a.side != null_id ? curve_point_of_foot(m_curves.curves, Strip_foot<double>{a.side, a.foot})
-                             : m_curves.point_of(m_field, a.root);
+    return a.side != null_id ? place_of_foot(m_curves.curves, Strip_foot<double>{a.side, a.foot})
+                             : m_curves.place_of(m_field, a.root);
   }
 
   // Returns the distance of a vertex of the mesh, in the user's unit. Requires: has_run(). Infinity if no source

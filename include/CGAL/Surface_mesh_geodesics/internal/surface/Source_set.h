@@ -78,6 +78,22 @@ struct Source_set
 
   // Requires: i < size().
   FT offset(std::size_t i) const { return offsets.empty() ? FT(0) : offsets[i]; }
+
+  // The sources of the user that are at the point of source i and have its offset, i among them, in ascending order. On
+  // a wall they may be given on different sides of it. Linear in the number of sources, but for those on walls, whose
+  // vertices are searched. Requires: all are inserted; i < number_of_sources().
+  std::vector<std::size_t> equal_sources(std::size_t i) const
+  {
+    std::vector<Vertex_id> at;
+    for(std::size_t j = 0; j < size(); ++j)
+      if(number(j) == i)
+        at.push_back(vertices[j]);
+    std::vector<std::size_t> result;
+    for(std::size_t j = 0; j < number_of_sources(); ++j)
+      if(offset(j) == offset(i) && std::find(at.begin(), at.end(), vertices[j]) != at.end())
+        result.push_back(j);
+    return result;
+  }
 };
 
 // Makes vertices of all located sources and sets vertices[position]. Sorts `sources` and inserts in the order of faces

@@ -342,40 +342,41 @@ public:
   std::size_t nearest_site(vertex_descriptor v) const
   {
     build();
-    const typename Solver::Query q = m_solver.query(v);
+    const typename Solver::Query q = query(v);
     return m_sites.empty() ? no_site : site_at(m_complex.owner(q.vertex));
   }
 
   std::size_t nearest_site(face_descriptor f, const Barycentric_coordinates& location) const
   {
     build();
-    const typename Solver::Query q = m_solver.query(f, weights(location));
+    const typename Solver::Query q = query(f, location);
     if(m_sites.empty())
       return no_site;
     const Vertex_id cell = cell_at(q);
     bool is_same = true;
-    m_solver.for_each_other_side(q, [&](const typename Solver::Query& other)
-    { is_same = is_same && cell_at(other) == cell; });
+    m_solver.for_each_other_side(q, [&](const auto& other) { is_same = is_same && cell_at(other) == cell; });
     if(is_same)
       return site_at(cell);
     add_windows_for(q);
     return site_at(cell_at(m_solver.nearest_side(q)));
   }
 
-  // Both return the distance to the nearest site, less its weight; -1 if no site reaches the point. A location that is
-  // neither a vertex nor a site needs windows, which the first such query computes by one more propagation. With a
-  // positive weight, -1 may be a distance, too; nearest_site() tells.
-  FT distance_to_nearest_site(vertex_descriptor v) const
+  // Returns all sites that have the nearest point, in ascending order. A place is a vertex, or a face and coordinates.
+  template <typename... Place>
+  std::vector<std::size_t> nearest_sites(const Place&... place) const
   {
-    build();
-    const typename Solver::Query q = m_solver.query(v);
-    return m_sites.empty() ? FT(-1) : user_distance(m_solver.arrival(q));
+    const std::size_t site = nearest_site(place...);
+    return site == no_site ? std::vector<std::size_t>() : sites_with_nearest_point(m_solver, query(place...), site);
   }
 
-  FT distance_to_nearest_site(face_descriptor f, const Barycentric_coordinates& location) const
+  // Returns the distance of a place to the nearest site, less its weight; -1 if no site reaches it. A location that is
+  // neither a vertex nor a site needs windows, which the first such query computes by one more propagation. With a
+  // positive weight, -1 may be a distance, too; nearest_site() tells.
+  template <typename... Place>
+  FT distance_to_nearest_site(const Place&... place) const
   {
     build();
-    const typename Solver::Query q = m_solver.query(f, weights(location));
+    const typename Solver::Query q = query(place...);
     if(m_sites.empty())
       return FT(-1);
     add_windows_for(q);
@@ -532,6 +533,13 @@ private:
 
   // Does the complex name cells by numbers? Requires: it has been started.
   bool has_numbers() const { return m_complex.has_numbers_of_sites(); }
+
+  typename Solver::Query query(vertex_descriptor v) const { return m_solver.query(v); }
+
+  typename Solver::Query query(face_descriptor f, const Barycentric_coordinates& location) const
+  {
+    return m_solver.query(f, weights(location));
+  }
 
   // Returns the cell of a point, on the side of a wall where the query is.
   Vertex_id cell_at(const typename Solver::Query& q) const

@@ -365,24 +365,42 @@ private:
   // keeps the order of the curves where all else is equal.)
   void remove_copies()
   {
-    std::vector<Source_edge<FT>>& edges = m_result.edges;
-    const auto name = [](const Source_edge<FT>& e) { return (std::min)(e.left, e.right); };
-    std::stable_sort(edges.begin(), edges.end(), [&](const Source_edge<FT>& a, const Source_edge<FT>& b)
-                     { return name(a) < name(b) || (name(a) == name(b) && a.offset < b.offset); });
+    keep_one_of_each(m_result.edges, m_result.further_curves_of_edges,
+                     [](const Source_edge<FT>& e) { return (std::min)(e.left, e.right); },
+                     [](const Source_edge<FT>& e) { return e.curve; },
+                     [](Source_edge<FT>& kept, const Source_edge<FT>& e) { kept.copies += e.copies; });
+    keep_one_of_each(m_result.vertices, m_result.further_curves_of_vertices,
+                     [](const Source_vertex<FT>& v) { return v.vertex; },
+                     [](const Source_vertex<FT>& v) { return v.point.curve; },
+                     [](Source_vertex<FT>&, const Source_vertex<FT>&) {});
+  }
+
+  // Notes the other curves that have the same element and the same offset. add_copy(kept, copy) gets each copy.
+  template <typename Item, typename NameOf, typename CurveOf, typename AddCopy>
+  static void keep_one_of_each(std::vector<Item>& items, std::vector<Further_curve>& further, NameOf name_of,
+                               CurveOf curve_of, AddCopy add_copy)
+  {
+    std::stable_sort(items.begin(), items.end(), [&](const Item& a, const Item& b)
+    { return name_of(a) < name_of(b) || (name_of(a) == name_of(b) && a.offset < b.offset); });
     std::size_t n = 0;
-    for(const Source_edge<FT>& e : edges)
-      if(n > 0 && name(edges[n - 1]) == name(e))
-        edges[n - 1].copies += e.copies;
-      else
-        edges[n++] = e;
-    edges.erase(edges.begin() + static_cast<std::ptrdiff_t>(n), edges.end());
-    std::vector<Source_vertex<FT>>& vertices = m_result.vertices;
-    std::stable_sort(vertices.begin(), vertices.end(), [](const Source_vertex<FT>& a, const Source_vertex<FT>& b)
-                     { return std::tie(a.vertex, a.offset) < std::tie(b.vertex, b.offset); });
-    vertices.erase(std::unique(vertices.begin(), vertices.end(), [](const Source_vertex<FT>& a,
-                                                                    const Source_vertex<FT>& b)
-                               { return a.vertex == b.vertex; }),
-                   vertices.end());
+    std::uint32_t last_curve = 0; // with the smallest offset
+    for(const Item& item : items)
+    {
+      if(n == 0 || name_of(items[n - 1]) != name_of(item))
+      {
+        last_curve = curve_of(item);
+        items[n++] = item;
+        continue;
+      }
+      const Item& kept = items[n - 1];
+      if(item.offset == kept.offset && curve_of(item) != last_curve)
+      {
+        last_curve = curve_of(item);
+        further.push_back(Further_curve{name_of(item), last_curve});
+      }
+      add_copy(items[n - 1], item);
+    }
+    items.erase(items.begin() + static_cast<std::ptrdiff_t>(n), items.end());
   }
 
   const Mesh& m_mesh;

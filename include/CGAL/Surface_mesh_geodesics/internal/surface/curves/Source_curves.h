@@ -80,14 +80,23 @@ struct Source_vertex
   Curve_point<FT> point;
 };
 
+// One more curve that has an edge or a vertex, with the offset of the curve that counts there. An edge is named by the
+// smaller of its halfedges.
+struct Further_curve
+{
+  std::uint32_t element, curve;
+};
+
 // All curves of a propagation in the refined mesh. Invariants: each edge and each vertex is there once, with the
-// smallest offset of the curves that it is a part of; of curves with the same offset, the first one. Both ends of each
-// edge are among the vertices.
+// smallest offset of the curves that it is a part of; of curves with the same offset, the first one. The others with
+// this offset are listed apart, in the order of elements; a curve may be there twice. Both ends of each edge are among
+// the vertices.
 template <typename FT>
 struct Source_curves
 {
   std::vector<Source_edge<FT>> edges;
   std::vector<Source_vertex<FT>> vertices;
+  std::vector<Further_curve> further_curves_of_edges, further_curves_of_vertices;
 
   // Calls visit(halfedge, offset) for one halfedge of each edge that has a length. (The ends of an edge without length
   // are sources as well.)

@@ -67,36 +67,79 @@ const Curve_point<FT>& curve_point_at(const Source_curves<FT>& curves, Vertex_id
   return it->point;
 }
 
-// The point of a curve at a foot. Rounding may have moved the foot past an end of its edge. If the foot is such an end,
-// up to rounding, and another curve counts there (of those with the smallest offset, the first), the foot is a point of
-// that one.
+// Where a path from curves begins: at a vertex on a curve, at a point inside of a source edge, or at an end of the edge
+// from which its last ray comes.
 template <typename FT>
-Curve_point<FT> curve_point_of_foot(const Source_curves<FT>& curves, const Strip_foot<FT>& foot)
+struct Curve_place
+{
+  Vertex_id vertex;            // or null_id
+  const Source_edge<FT>* edge; // or null
+  FT t;                        // the part of the edge before the point
+};
+
+// The place of a foot. Rounding may have moved the foot past an end of its edge.
+template <typename FT>
+Curve_place<FT> place_of_foot(const Source_curves<FT>& curves, const Strip_foot<FT>& foot)
 {
   const Source_edge<FT>& e = edge_of_side(curves, foot.side);
   const FT along = (std::min)(FT(1), (std::max)(FT(0), FT(foot.abscissa / e.length)));
   const FT t = foot.side % 2 == 0 ? along : FT(1 - along);
-  if((std::min)(t, FT(1 - t)) <= Tolerance<FT>::interval())
-  {
-    const Curve_point<FT>& end = curve_point_at(curves, t < FT(1) / 2 ? e.first : e.last);
-    if(end.curve != e.curve)
-      return end;
-  }
-  return {e.curve, e.segment, FT(e.first_parameter + t * (e.last_parameter - e.first_parameter))};
+  const bool is_end = (std::min)(t, FT(1 - t)) <= Tolerance<FT>::interval();
+  return {!is_end ? null_id : t < FT(1) / 2 ? e.first : e.last, &e, t};
 }
 
-// The point of a curve from which the shortest path to v comes. A vertex that a strip has reached is its own root, but
-// no source; foot_of(vertex) is where that path begins. Takes time linear in the number of vertices at which the path
-// bends, and logarithmic in that of vertices on curves. Requires: v is reached.
+// The place from which the shortest path to v comes. A vertex that a strip has reached is its own root, but no source;
+// foot_of(vertex) is where that path begins. Takes time linear in the number of vertices at which the path bends, and
+// logarithmic in that of vertices on curves. Requires: v is reached.
+template <typename FT, typename FootOf>
+Curve_place<FT> place_of_vertex(const Source_curves<FT>& curves, const Vertex_distance_field<FT>& field, FootOf foot_of,
+                                Vertex_id v)
+{
+  const Vertex_id root = field.source_of(v);
+  CGAL_assertion(root != null_id);
+  return field.is_source(root) ? Curve_place<FT>{root, nullptr, FT(0)} : place_of_foot(curves, foot_of(root));
+}
+
+// The point of a curve at a place: of the curve of its edge, unless another curve counts at the end of the edge (of
+// those with the smallest offset, the first).
+template <typename FT>
+Curve_point<FT> curve_point_at(const Source_curves<FT>& curves, const Curve_place<FT>& place)
+{
+  if(place.vertex != null_id)
+  {
+    const Curve_point<FT>& at_vertex = curve_point_at(curves, place.vertex);
+    if(place.edge == nullptr || at_vertex.curve != place.edge->curve)
+      return at_vertex;
+  }
+  const Source_edge<FT>& e = *place.edge;
+  return {e.curve, e.segment, FT(e.first_parameter + place.t * (e.last_parameter - e.first_parameter))};
+}
+
+// The point of a curve from which the shortest path to v comes, as for place_of_vertex().
 template <typename FT, typename FootOf>
 Curve_point<FT> curve_point_of_vertex(const Source_curves<FT>& curves, const Vertex_distance_field<FT>& field,
                                       FootOf foot_of, Vertex_id v)
 {
-  const Vertex_id root = field.source_of(v);
-  CGAL_assertion(root != null_id);
-  if(!field.is_source(root))
-    return curve_point_of_foot(curves, foot_of(root));
-  return curve_point_at(curves, root);
+  return curve_point_at(curves, place_of_vertex(curves, field, foot_of, v));
+}
+
+// The curves that have a place, of those with the smallest offset there, in ascending order. Takes time logarithmic in
+// the number of elements on several curves, plus that of sorting the result.
+template <typename FT>
+std::vector<std::uint32_t> curves_at(const Source_curves<FT>& curves, const Curve_place<FT>& place)
+{
+  const bool is_vertex = place.vertex != null_id;
+  const std::uint32_t element = is_vertex ? place.vertex : (std::min)(place.edge->left, place.edge->right);
+  const std::vector<Further_curve>& further
+    = is_vertex ? curves.further_curves_of_vertices : curves.further_curves_of_edges;
+  std::vector<std::uint32_t> result(1, curve_point_at(curves, place).curve);
+  auto it = std::lower_bound(further.begin(), further.end(), element,
+                             [](const Further_curve& a, std::uint32_t b) { return a.element < b; });
+  for(; it != further.end() && it->element == element; ++it)
+    result.push_back(it->curve);
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
 }
 
 // What queries of paths read. The curves are inserted into the mesh as long as they are known here.
@@ -142,10 +185,15 @@ struct Curve_arrivals
 
   const Source_edge<FT>& edge_of_side(std::uint32_t side) const { return internal::edge_of_side(curves, side); }
 
-  // The point of a curve from which the shortest path to v comes. Requires: v is reached.
+  // The place from which the shortest path to v comes. Requires: v is reached.
+  Curve_place<FT> place_of(const Vertex_distance_field<FT>& field, Vertex_id v) const
+  {
+    return place_of_vertex(curves, field, [this](Vertex_id u) { return foot[u]; }, v);
+  }
+
   Curve_point<FT> point_of(const Vertex_distance_field<FT>& field, Vertex_id v) const
   {
-    return curve_point_of_vertex(curves, field, [this](Vertex_id u) { return foot[u]; }, v);
+    return curve_point_at(curves, place_of(field, v));
   }
 
   // An estimate: nodes of the table are larger than their contents.
@@ -153,6 +201,8 @@ struct Curve_arrivals
   {
     return strips.memory() + foot.capacity() * sizeof(Strip_foot<FT>)
          + curves.edges.capacity() * sizeof(Source_edge<FT>) + curves.vertices.capacity() * sizeof(Source_vertex<FT>)
+         + (curves.further_curves_of_edges.capacity() + curves.further_curves_of_vertices.capacity())
+             * sizeof(Further_curve)
          + m_side.size() * (sizeof(Halfedge_id) + sizeof(std::uint32_t));
   }
 

@@ -1,0 +1,274 @@
+// All sites that have the nearest point: curves with a common end, edges on several curves, several sites at one point.
+// In the plane they are known; on bumpy spheres the paths from one site at a time tell them by their ends.
+
+#include "Voronoi_test_helpers.h"
+#include "curve_cases.h"
+#include "expected_exceptions.h"
+
+#include <CGAL/squared_distance_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <vector>
+
+using namespace curve_cases;
+
+namespace {
+
+using Sites = std::vector<std::size_t>;
+using Point = Voronoi::Point_3;
+
+template <typename Place>
+Sites sites_at(const Voronoi& diagram, const Place& place)
+{
+  Sites result;
+  diagram.nearest_sites(place, std::back_inserter(result));
+  CHECK(std::is_sorted(result.begin(), result.end()));
+  if(!result.empty())
+    CHECK(std::count(result.begin(), result.end(), diagram.nearest_site(place)) == 1);
+  return result;
+}
+
+// A square of n x n cells, each vertex by its coordinates.
+struct Square
+{
+  explicit Square(std::size_t n) : tm(to_face_graph(flat_patch(n, n, 0., true, 1))) {}
+
+  vertex_descriptor at(double x, double y) const
+  {
+    for(const vertex_descriptor v : vertices(tm))
+      if(CGAL::squared_distance(tm.point(v), Point(x, y, 0)) < 1e-18)
+        return v;
+    return Mesh::null_vertex();
+  }
+
+  Curve line(const std::vector<std::array<double, 2>>& points) const
+  {
+    std::vector<vertex_descriptor> result;
+    for(const std::array<double, 2>& p : points)
+      result.push_back(at(p[0], p[1]));
+    return Curve(tm, result);
+  }
+
+  Mesh tm;
+};
+
+// Compares the sites at the inner point of a face in each cell of the square with a function of the coordinates.
+template <typename Expected>
+void check_square(const Square& s, const Voronoi& diagram, Expected expected)
+{
+  for(const face_descriptor f : faces(s.tm))
+  {
+    const Location l(f, {.25, .35, .4});
+    const Point p = diagram.point(l);
+    CHECK(sites_at(diagram, l) == expected(p.x(), p.y()));
+  }
+}
+
+void curves_in_the_plane()
+{
+  const Square s(4);
+  {
+    const test_support::Scope scope("a common corner");
+    Voronoi diagram(s.tm);
+    diagram.add_sites(std::vector<Curve>{s.line({{1, 2}, {2, 2}}), s.line({{2, 2}, {2, 3}})});
+    check_square(s, diagram, [](double x, double y)
+    { return x > 2 && y < 2 ? Sites{0, 1} : x > 2 || x + y > 4 ? Sites{1} : Sites{0}; });
+    CHECK(sites_at(diagram, s.at(2, 2)) == (Sites{0, 1}));
+    CHECK(sites_at(diagram, s.at(4, 0)) == (Sites{0, 1}));
+    CHECK(sites_at(diagram, s.at(1, 1)) == Sites{0});
+  }
+  {
+    const test_support::Scope scope("with weights the larger one counts");
+    Voronoi diagram(s.tm);
+    diagram.add_site(s.line({{1, 2}, {2, 2}}), .25);
+    diagram.add_site(s.line({{2, 2}, {2, 3}}), .25 + 1e-9);
+    CHECK(sites_at(diagram, s.at(4, 0)) == Sites{1});
+    CHECK(sites_at(diagram, s.at(1, 1)) == Sites{0});
+  }
+  {
+    const test_support::Scope scope("curves that overlap, one of them twice, and a point on them");
+    Voronoi diagram(s.tm);
+    diagram.add_site(s.line({{0, 2}, {1, 2}, {2, 2}}));
+    diagram.add_site(s.line({{3, 2}, {2, 2}, {1, 2}, {2, 2}}));
+    diagram.add_site(s.at(2, 2));
+    diagram.add_site(s.at(3, 2));
+    check_square(s, diagram, [](double x, double)
+    { return x < 1 ? Sites{0} : x < 2 ? Sites{0, 1} : x < 3 ? Sites{1} : Sites{1, 3}; });
+    CHECK(sites_at(diagram, s.at(2, 0)) == (Sites{0, 1, 2}));
+    CHECK(sites_at(diagram, s.at(3, 4)) == (Sites{1, 3}));
+  }
+}
+
+void points_in_the_plane()
+{
+  const Square s(4);
+  const test_support::Scope scope("points");
+  Voronoi diagram(s.tm);
+  CHECK(sites_at(diagram, s.at(1, 1)).empty());
+  const halfedge_descriptor h = CGAL::halfedge(s.at(1, 1), s.at(2, 1), s.tm).first;
+  // The middle of the edge in both of its faces.
+  std::vector<Location> both;
+  for(const halfedge_descriptor g : {h, opposite(h, s.tm)})
+  {
+    Location l(face(g, s.tm), {0, 0, 0});
+    halfedge_descriptor k = CGAL::halfedge(l.first, s.tm);
+    for(std::size_t i = 0; i < 3; ++i, k = next(k, s.tm))
+      if(target(k, s.tm) != target(next(g, s.tm), s.tm))
+        l.second[(i + 1) % 3] = .5;
+    both.push_back(l);
+  }
+  diagram.add_site(s.at(4, 4));
+  diagram.add_site(both[0]);
+  diagram.add_site(both[1]);
+  diagram.add_site(s.at(4, 4), -1.);
+  diagram.add_site(s.at(4, 4));
+  const auto check = [&]
+  {
+    const Point p = diagram.point(diagram.site(1)), q = diagram.point(diagram.site(2));
+    CHECK_NEAR(CGAL::squared_distance(p, q), 0., 1e-30);
+    CHECK(sites_at(diagram, s.at(0, 0)) == (Sites{1, 2}));
+    CHECK(sites_at(diagram, s.at(2, 0)) == (Sites{1, 2}));
+    CHECK(sites_at(diagram, s.at(1, 2)) == (Sites{1, 2}));
+    CHECK(sites_at(diagram, s.at(4, 4)) == (Sites{0, 4}));
+    CHECK(sites_at(diagram, s.at(4, 3)) == (Sites{0, 4}));
+  };
+  check();
+  diagram.avoid_edges(std::vector<Mesh::Edge_index>{edge(h, s.tm)}); // the two are given on different sides
+  check();
+}
+
+void places_without_sites()
+{
+  const test_support::Scope scope("places that no site reaches, or that do not exist");
+  Mesh tm = to_face_graph(flat_patch(2, 2, 0., true, 1));
+  const auto n = num_vertices(tm), m = num_faces(tm);
+  tm += Mesh(tm);
+  Voronoi diagram(tm);
+  for(const bool has_curve : {false, true})
+  {
+    diagram.remove_all_sites();
+    diagram.add_site(vertex_descriptor(0));
+    if(has_curve)
+      diagram.add_site(Curve(tm, std::vector<vertex_descriptor>{vertex_descriptor(0),
+                                                                target(halfedge(vertex_descriptor(0), tm), tm),
+                                                                source(halfedge(vertex_descriptor(0), tm), tm)}));
+    CHECK(sites_at(diagram, vertex_descriptor(n)).empty());
+    CHECK(sites_at(diagram, Location(face_descriptor(m), {.2, .3, .5})).empty());
+    CHECK(sites_at(diagram, vertex_descriptor(0)) == (has_curve ? Sites{0, 1} : Sites{0}));
+    CHECK(throws<Invalid_input>([&] { sites_at(diagram, vertex_descriptor(2 * n)); }));
+    CHECK(throws<Invalid_input>([&] { sites_at(diagram, Location(face_descriptor(0), {.2, .3, 1.5})); }));
+  }
+}
+
+// --- against paths from one site at a time ---
+
+// Curves of which many begin at the same vertex, curves anywhere, and a part of an earlier one.
+std::vector<Curve> curves_that_touch(const Mesh& tm, test_support::Random& random)
+{
+  std::vector<Curve> curves;
+  const std::vector<vertex_descriptor> first = random_vertices_along_edges(tm, 5, random);
+  curves.emplace_back(tm, first);
+  curves.push_back(random_curve(tm, random));
+  for(std::size_t i = 0; i < 3; ++i)
+  {
+    std::vector<vertex_descriptor> further{first[random.index(first.size())]};
+    for(std::size_t n = random.index(4); n > 0; --n)
+    {
+      halfedge_descriptor h = CGAL::halfedge(further.back(), tm);
+      for(std::size_t k = random.index(6); k > 0; --k)
+        h = opposite(next(h, tm), tm);
+      further.push_back(source(h, tm));
+    }
+    curves.emplace_back(tm, further);
+  }
+  return curves;
+}
+
+// The sites whose path ends where the shortest of all paths ends. None if another path is nearly as short.
+class Ends_of_paths
+{
+public:
+  Ends_of_paths(const Mesh& tm, const std::vector<Curve>& curves, const std::vector<double>& weights)
+    : m_weights(weights)
+  {
+    for(const Curve& c : curves)
+    {
+      m_paths.emplace_back(new Paths(tm));
+      m_paths.back()->add_source_curve(c);
+    }
+  }
+
+  Sites operator()(const Location& l) const
+  {
+    std::vector<double> distance;
+    std::vector<Point> end;
+    for(std::size_t i = 0; i < m_paths.size(); ++i)
+    {
+      const Location foot = m_paths[i]->nearest_location_of_sources(l.first, l.second);
+      end.push_back(m_paths[i]->point(foot.first, foot.second));
+      distance.push_back(m_paths[i]->shortest_distance_to_source_points(l.first, l.second).first - m_weights[i]);
+    }
+    const auto nearest = std::min_element(distance.begin(), distance.end());
+    const Point& foot = end[static_cast<std::size_t>(nearest - distance.begin())];
+    Sites result;
+    for(std::size_t i = 0; i < distance.size(); ++i)
+    {
+      if(distance[i] > *nearest + 1e-6)
+        continue;
+      if(CGAL::squared_distance(end[i], foot) > 1e-12 || distance[i] > *nearest + 1e-12)
+        return {};
+      result.push_back(i);
+    }
+    return result;
+  }
+
+private:
+  std::vector<std::unique_ptr<Paths>> m_paths;
+  std::vector<double> m_weights;
+};
+
+void bumpy_spheres()
+{
+  std::size_t alone = 0, together = 0;
+  for(std::uint64_t seed = 0; seed < 30; ++seed)
+  {
+    const test_support::Scope scope("bumpy sphere " + std::to_string(seed));
+    test_support::Random random(seed);
+    const Mesh tm = to_face_graph(noisy_sphere(1 + seed % 2, .2, seed));
+    const std::vector<Curve> curves = curves_that_touch(tm, random);
+    std::vector<double> weights(curves.size(), 0.);
+    for(std::size_t i = 0; i < (seed % 3) * curves.size() / 3; ++i)
+      weights[i] = .125;
+    Voronoi diagram(tm);
+    for(std::size_t i = 0; i < curves.size(); ++i)
+      diagram.add_site(curves[i], weights[i]);
+    const Ends_of_paths expected(tm, curves, weights);
+    for(std::size_t k = 0; k < 200; ++k)
+    {
+      const Location l = random_location(tm, random);
+      const Sites sites = expected(l);
+      if(sites.empty())
+        continue;
+      CHECK(sites_at(diagram, l) == sites);
+      ++(sites.size() > 1 ? together : alone);
+    }
+  }
+  CHECK(alone > 3000 && together > 300);
+}
+
+} // namespace
+
+int main()
+{
+  curves_in_the_plane();
+  points_in_the_plane();
+  places_without_sites();
+  bumpy_spheres();
+  return test_result();
+}
