@@ -45,6 +45,7 @@ SURFACE_SOURCES = INTERNAL + "interface/Surface_with_sources.h"
 PATH_SOLVER = INTERNAL + "interface/Path_solver.h"
 LOCATION_DISTANCE = INTERNAL + "paths/distance_at_location.h"
 CURVE_INSERTION = INTERNAL + "surface/curves/Curve_insertion.h"
+DISTANCE_FIELD = INTERNAL + "surface/Vertex_distance_field.h"
 SOURCE_SET = INTERNAL + "surface/Source_set.h"
 CURVE_SIDES = INTERNAL + "surface/curves/Curve_sides.h"
 ISOLINE_CHOICE = INTERNAL + "interface/isolines/Isoline_choice.h"
@@ -191,6 +192,7 @@ HOSTILE_CURVES = "test_curves_on_hostile_meshes"
 CURVE_PATHS = "test_paths_from_curves"
 BORDER_CURVES = "test_border_curves"
 NEAREST_SITES = "test_nearest_sites"
+PAIR_PATHS = "test_geodesic_path"
 CURVES_OF_PATHS = "test_shortest_path_curve"
 BOUNDS = "test_radix_heap"
 KEPT_WINDOWS = "test_face_windows"
@@ -1303,4 +1305,7 @@ MUTANTS = [
     ("equal_sources_on_one_side", SOURCE_SET,
      "if(number(j) == i)", "if(j == i)",
      "two sites on the sides of a wall are not at one point", (NEAREST_SITES,)),
+    ("search_trusts_distances_that_are_not_final", DISTANCE_FIELD,
+     "return (std::min)(distance[v], final_distance);", "return distance[v];",
+     "where a run has ended early, the search for a path drops the way that the path takes", (PAIR_PATHS,)),
 ]

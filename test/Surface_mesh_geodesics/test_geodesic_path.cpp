@@ -2,6 +2,7 @@
 
 #include "distance_test_helpers.h"
 #include "expected_exceptions.h"
+#include "hostile_meshes.h"
 #include "test_meshes.h"
 #include "test_support.h"
 
@@ -14,9 +15,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <iterator>
 #include <limits>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -112,6 +116,45 @@ void early_ends_keep_bits(const Indexed_mesh& indexed, test_support::Random& ran
       check_bits(tm, from_location, q, p, q.first, q.second);
       const double d = from_location.shortest_distance_to_source_points(q.first, q.second).first;
       CHECK_EQUAL(SMG::geodesic_distance(tm, p, q), d < 0 ? std::numeric_limits<double>::infinity() : d);
+    }
+  }
+}
+
+// Calls use() with a vertex or a location.
+template <typename Use>
+void use_place(const Surface_point& p, Use use)
+{
+  if(p.is_vertex())
+    use(p.vertex);
+  else
+    use(p.location);
+}
+
+// Paths that rounding hides are searched for by distances, of which only some are final where the propagation ends
+// early. The lengths are those of paths over the whole surface.
+void hostile_meshes_have_paths()
+{
+  for(std::uint64_t seed = 1; seed <= 600; ++seed)
+  {
+    test_support::Scope scope("hostile mesh, seed " + std::to_string(seed));
+    test_support::Random random(seed);
+    Mesh tm;
+    if(!hostile_meshes::is_surface(hostile_meshes::hostile_mesh(random), tm))
+      continue;
+    const double size = size_of(tm);
+    for(int k = 0; k < 6; ++k)
+    {
+      const Surface_point a = hostile_meshes::hostile_point(tm, random), b = hostile_meshes::hostile_point(tm, random);
+      use_place(a, [&](const auto& p) { use_place(b, [&](const auto& q)
+      {
+        std::vector<Point> points;
+        double d = 0;
+        CHECK(!throws<std::runtime_error>([&] { d = SMG::geodesic_path(tm, p, q, std::back_inserter(points)); }));
+        if(points.empty())
+          return;
+        CHECK_NEAR(length(points), d, 1e-10 * d + 1e-13 * size);
+        CHECK_NEAR(SMG::geodesic_distance(tm, q, p), d, 1e-11 * d + 1e-13 * size);
+      }); });
     }
   }
 }
@@ -237,6 +280,7 @@ int main()
     all_kinds_of_pairs_agree(indexed, random);
   for(const Indexed_mesh& indexed : collection(seed))
     early_ends_keep_bits(indexed, random);
+  hostile_meshes_have_paths();
   near_pairs_cost_little();
   plane();
   points_without_a_path();

@@ -184,8 +184,7 @@ public:
   bool add_windows(GoOn go_on)
   {
     CGAL_assertion(m_has_run);
-    // propagate() replaces them, also by those of a run that ends early.
-    const Propagation_statistics statistics = m_statistics;
+    const Propagation_statistics statistics = m_statistics; // propagate() replaces them, also if it ends early
     Vertex_distance_field<double> field; // of a second run, which propagate() tells by it
     const bool is_complete = propagate(field, window_keeper(true), Go_on_reference(go_on, unit()));
     if(!is_complete)
@@ -222,7 +221,9 @@ public:
       return propagation.run(always);
     });
     m_has_run = true;
-    return nearest_side(q);
+    const Query nearest = nearest_side(q);
+    m_field.final_distance = arrival(nearest).distance;
+    return nearest;
   }
 
   const Propagation_statistics& statistics() const { return m_statistics; }
@@ -500,8 +501,7 @@ private:
     m_has_run = false;
   }
 
-  // The go_on() of run_to(), which no visitor follows.
-  struct Goes_on_always
+  struct Goes_on_always // of run_to(), which no visitor follows
   {
     bool operator()(std::size_t, double) const { return true; }
   };

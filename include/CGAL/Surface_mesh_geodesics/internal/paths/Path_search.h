@@ -246,12 +246,14 @@ private:
   // Returns a lower bound of the length of paths from the image through a cone to the source: the distance from the
   // image to the nearest point of the cone, and the smallest distance that a point of the cone can have. The latter
   // follows from the distances a and b of the ends, as the distance is 1-Lipschitz along the edge: at abscissa x it is
-  // at least a - x and b - (length - x).
+  // at least a - x and b - (length - x). (An end may be farther from the source than the beginning of the path. If the
+  // run has ended early, its distance is not final.)
   // Error: four epsilon of the sum; the caller adds its tolerance.
   FT least_rest(const Cone& cone) const
   {
     const FT length = m_mesh.length(cone.halfedge);
-    const FT a = m_field.distance[m_mesh.source(cone.halfedge)], b = m_field.distance[m_mesh.target(cone.halfedge)];
+    const FT a = m_field.least_distance(m_mesh.source(cone.halfedge));
+    const FT b = m_field.least_distance(m_mesh.target(cone.halfedge));
     const FT behind = (std::max)((a + b - length) / 2, (std::max)(a - cone.end, b - (length - cone.begin)));
     const FT x = (std::min)((std::max)(cone.image_x, cone.begin), cone.end);
     return norm<FT>(x - cone.image_x, cone.image_depth) + (std::max)(behind, FT(0));

@@ -21,6 +21,7 @@
 
 #include <CGAL/assertions.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -64,6 +65,9 @@ struct Vertex_distance_field
   // edge, by an angle that changes no digit of the distance. So the abscissa does not determine the image.
   std::vector<Arrival_image<FT>> image;
   bool keeps_images = false;
+  // Distances up to this one are final. A larger one may be too large, or infinite, but it is not really smaller than
+  // this. Who ends a run early and still asks for paths sets it.
+  FT final_distance = infinity();
 
   // Sets all distances to infinity. Takes time linear in the number of vertices.
   void reset(std::size_t number_of_vertices)
@@ -75,6 +79,7 @@ struct Vertex_distance_field
     reserve_large(arrival, number_of_vertices);
     arrival.assign(number_of_vertices, Vertex_arrival<FT>());
     reached.clear();
+    final_distance = infinity();
   }
 
   // Does the same in time proportional to the number of vertices that were reached.
@@ -88,6 +93,7 @@ struct Vertex_distance_field
         image[v] = Arrival_image<FT>();
     }
     reached.clear();
+    final_distance = infinity();
     image.resize(keeps_images ? number_of_vertices : 0);
     distance.resize(number_of_vertices, infinity());
     arrival.resize(number_of_vertices);
@@ -103,6 +109,9 @@ struct Vertex_distance_field
   }
 
   static FT infinity() { return std::numeric_limits<FT>::infinity(); }
+
+  // Returns a lower bound of the length of all paths to v, also if the run has ended early.
+  FT least_distance(Vertex_id v) const { return (std::min)(distance[v], final_distance); }
 
   // Returns whether the shortest path to v begins at v. A source that is nearer to another one, because of its offset,
   // is not a source in this sense.
