@@ -231,7 +231,7 @@ def speedups(rows, label, title, columns):
     figure, axes = plt.subplots(figsize=(4, 3))
     most = 1
     for key, of_key in groups(rows, label).items():
-        parallel = [row for row in of_key if row["threads"] != "sequential"]
+        parallel = [row for row in of_key if not isinstance(row["threads"], str)]
         if not parallel:
             continue
         most = max(most, int(max(row["threads"] for row in parallel)))
@@ -243,7 +243,7 @@ def speedups(rows, label, title, columns):
     axes.set_xlabel("threads")
     axes.set_ylabel("speedup over the sequential run")
     axes.legend(fontsize=7)
-    threads = ("threads", lambda r: r["threads"] if r["threads"] == "sequential" else number(r["threads"], 0))
+    threads = ("threads", lambda r: r["threads"] if isinstance(r["threads"], str) else number(r["threads"], 0))
     return figure, title, table(columns + [
         threads, ("run, ms", spread("run_ms")), ("speedup", lambda r: number(r["speedup"], 2))], rows)
 
