@@ -193,6 +193,7 @@ CURVE_PATHS = "test_paths_from_curves"
 BORDER_CURVES = "test_border_curves"
 NEAREST_SITES = "test_nearest_sites"
 PAIR_PATHS = "test_geodesic_path"
+BORDER_DIRECTIONS = "test_directions_at_borders"
 CURVES_OF_PATHS = "test_shortest_path_curve"
 BOUNDS = "test_radix_heap"
 KEPT_WINDOWS = "test_face_windows"
@@ -1308,4 +1309,10 @@ MUTANTS = [
     ("search_trusts_distances_that_are_not_final", DISTANCE_FIELD,
      "return (std::min)(distance[v], final_distance);", "return distance[v];",
      "where a run has ended early, the search for a path drops the way that the path takes", (PAIR_PATHS,)),
+    ("directions_from_any_edge_of_border", SURFACE_SOURCES,
+     "    if(!a.is_closed)\n      a = angle_around", "    if(false)\n      a = angle_around",
+     "directions at a border that was cut later count from an edge in its middle", (BORDER_DIRECTIONS,)),
+    ("directions_of_border_reduced", PATH_DIRECTIONS,
+     "return is_at_border ? ", "return false ? ",
+     "directions at a border with more than a full circle lead elsewhere", (BORDER_DIRECTIONS,)),
 ]

@@ -764,10 +764,10 @@ public:
 
   /// \name Directions at the Source
   /// With the distance, the direction is the logarithmic map. Directions are those of
-  /// `Surface_mesh_geodesics::trace_geodesic()`, which documents them. At the border an angle of \f$ 2\pi \f$ or more
-  /// is reduced. At a pinched vertex each umbrella has a frame of its own, and the direction is that in the umbrella
-  /// into which the path leaves. Tracing from the source in that direction, by the distance, leads back to the point if
-  /// the path bends nowhere; a path that bends at a vertex is left there.
+  /// `Surface_mesh_geodesics::trace_geodesic()`, which documents them. At a pinched vertex each umbrella has a frame of
+  /// its own, and the direction is that in the umbrella into which the path leaves. Tracing from the source in that
+  /// direction, by the distance, leads back to the point if the path bends nowhere; a path that bends at a vertex is
+  /// left there.
   /// @{
 
   /// returns the direction in which the shortest path from a vertex to its source point arrives there, seen from the
@@ -775,8 +775,9 @@ public:
   /// begins at the source.
   ///
   /// \param v a vertex of the mesh
-  /// \return the angle, in \f$ [0, 2\pi) \f$; 0 at the source itself, and not a number (NaN) if no source point
-  ///         reaches `v`, or if there is a curve among the source points
+  /// \return the angle, in \f$ [0, 2\pi) \f$, or, if the source is a vertex of the border, from 0 to the angle of the
+  ///         faces there; 0 at the source itself, and not a number (NaN) if no source point reaches `v`, or if there is
+  ///         a curve among the source points
   /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if `v`, the mesh or a source point is invalid
   /// \throws std::runtime_error if rounding hides the path
   double direction_at_source(vertex_descriptor v) const { return m_structure.direction_at_source(v); }

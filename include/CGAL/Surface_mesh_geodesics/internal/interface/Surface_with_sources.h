@@ -212,8 +212,9 @@ public:
       double t = 0;
       return wanted != null_id && parts().find_on_whole_edge(h, t) && h == wanted;
     });
-    // Between walls, angles count from the first halfedge, as trace_geodesic() counts them.
-    if(!a.is_closed && m_surface.has_walls())
+    // The user's halfedge is the first one at a border of most meshes, but anywhere in the umbrella where faces have
+    // been removed or are avoided, and between walls.
+    if(!a.is_closed)
       a = angle_around(mesh(), d, [](Halfedge_id) { return false; });
     return a.is_closed && a.total > 0 ? a.angle / a.total * full_circle() : a.angle;
   }

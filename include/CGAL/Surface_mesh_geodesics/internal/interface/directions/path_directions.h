@@ -27,7 +27,7 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <unordered_map>
@@ -45,7 +45,23 @@ inline double in_full_circle(double direction)
   return d < 0 ? d + full_circle : d;
 }
 
-// Returns the direction of the path to a point, in [0, 2 pi); not a number if no source reaches it, or if there are
+// Does a halfedge leave a vertex of the user at a border, in its umbrella? A direction there is an angle from the first
+// halfedge, up to the angle of all faces, which may exceed a full circle. Linear in the degree.
+template <typename Solver>
+bool leaves_vertex_of_border(const Solver& solver, Halfedge_id h)
+{
+  using Graph_traits = typename Solver::Graph_traits;
+  return h != null_id && solver.user_vertex(solver.mesh().source(h)) != Graph_traits::null_vertex()
+      && !angle_around(solver.mesh(), Departure<double>{h, 0.}, [](Halfedge_id) { return false; }).is_closed;
+}
+
+// Returns a direction as users get it.
+inline double direction_for_user(double direction, bool is_at_border)
+{
+  return is_at_border ? (std::max)(direction, 0.) : in_full_circle(direction);
+}
+
+// Returns the direction of the path to a point; not a number if no source reaches it, or if there are
 // curves among the sources. Throws what Path_solver::path() throws.
 //
 // Traces the first straight piece of the path only, the one at the source. Its end is a vertex, whose own path is this
@@ -69,7 +85,8 @@ double direction_of_path(const Solver& solver, typename Solver::Query q, FaceOfS
   const Departure<double> d = steps.size() == 1 && q.vertex == null_id
                                 ? departure_to_point(solver.mesh(), steps.back().vertex, q.face, q.coordinates)
                                 : departure(solver.mesh(), steps);
-  return in_full_circle(solver.direction_of_departure(d, face_of_source(solver.source_number(a))));
+  return direction_for_user(solver.direction_of_departure(d, face_of_source(solver.source_number(a))),
+                            leaves_vertex_of_border(solver, d.halfedge));
 }
 
 // The directions of straight paths from sources to vertices. Requires: the solver has run, and has no curves. Objects
@@ -98,22 +115,30 @@ public:
       q.vertex = v;
       return direction_of_path(m_solver, q, m_face_of_source);
     }
-    const auto inserted = m_frames.insert({ray.halfedge, {{0, 0}}});
-    std::array<double, 2>& frame = inserted.first->second;
+    const auto inserted = m_frames.emplace(ray.halfedge, Frame());
+    Frame& frame = inserted.first->second;
     if(inserted.second)
     {
       const auto f = m_face_of_source(m_solver.source_at(m_solver.mesh().source(ray.halfedge)));
-      frame[0] = m_solver.direction_of_departure(Departure<double>{ray.halfedge, 0.}, f);
-      frame[1] = m_solver.direction_of_departure(Departure<double>{ray.halfedge, 1.}, f) - frame[0];
+      frame.begin = m_solver.direction_of_departure(Departure<double>{ray.halfedge, 0.}, f);
+      frame.growth = m_solver.direction_of_departure(Departure<double>{ray.halfedge, 1.}, f) - frame.begin;
+      frame.is_at_border = leaves_vertex_of_border(m_solver, ray.halfedge);
     }
-    return in_full_circle(frame[0] + frame[1] * ray.angle);
+    return direction_for_user(frame.begin + frame.growth * ray.angle, frame.is_at_border);
   }
 
 private:
+  // Of the directions in one face: that of its first halfedge, and how they grow with the angle from there.
+  struct Frame
+  {
+    double begin = 0, growth = 0;
+    bool is_at_border = false;
+  };
+
   const Solver& m_solver;
   FaceOfSource m_face_of_source;
   Ray_sectors<double> m_sectors;
-  std::unordered_map<Halfedge_id, std::array<double, 2>> m_frames; // directions at angle 0, and their growth
+  std::unordered_map<Halfedge_id, Frame> m_frames;
 };
 
 // Returns the first vertex behind the source at which the path to v bends, as Path_solver::end_of_first_piece() does;

@@ -109,12 +109,13 @@ public:
   {
     if(m_is_closed)
       return reduced_angle(reduced_angle(direction, full_turn) / full_turn * m_total_angle, m_total_angle);
-    if(direction >= 0 && direction <= m_total_angle)
-      return direction;
+    const double tolerance = Tolerance<double>::barycentric();
+    if(direction >= -tolerance && direction <= m_total_angle + tolerance)
+      return (std::min)((std::max)(direction, 0.), m_total_angle);
     const double reduced = reduced_angle(direction, full_turn);
-    if(full_turn - reduced <= Tolerance<double>::barycentric())
+    if(full_turn - reduced <= tolerance)
       return 0;
-    return std::abs(reduced - m_total_angle) <= Tolerance<double>::barycentric() ? m_total_angle : reduced;
+    return std::abs(reduced - m_total_angle) <= tolerance ? m_total_angle : reduced;
   }
 
   // The last sector that begins at an angle or before it: the angle leads into its face, or along its halfedge. An
