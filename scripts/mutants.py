@@ -1298,7 +1298,7 @@ MUTANTS = [
      "curves.further_curves_of_vertices",
      "an edge on several curves belongs to one of them", (NEAREST_SITES,)),
     ("ends_of_rays_inside", CURVE_ARRIVALS,
-     "return {!is_end ? null_id :", "return {true ? null_id :",
+     "if(to_end <= Tolerance<FT>::barycentric())", "if(to_end < 0)",
      "what is nearest to the end of an edge counts for the inside of the edge", (NEAREST_SITES,)),
     ("equal_sources_with_any_offset", SOURCE_SET,
      "if(offset(j) == offset(i) && ", "if(",

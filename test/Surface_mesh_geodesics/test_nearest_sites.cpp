@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
@@ -29,8 +30,6 @@ Sites sites_at(const Voronoi& diagram, const Place& place)
   Sites result;
   diagram.nearest_sites(place, std::back_inserter(result));
   CHECK(std::is_sorted(result.begin(), result.end()));
-  if(!result.empty())
-    CHECK(std::count(result.begin(), result.end(), diagram.nearest_site(place)) == 1);
   return result;
 }
 
@@ -102,6 +101,87 @@ void curves_in_the_plane()
     { return x < 1 ? Sites{0} : x < 2 ? Sites{0, 1} : x < 3 ? Sites{1} : Sites{1, 3}; });
     CHECK(sites_at(diagram, s.at(2, 0)) == (Sites{0, 1, 2}));
     CHECK(sites_at(diagram, s.at(3, 4)) == (Sites{1, 3}));
+  }
+}
+
+// --- where points are equally near ---
+
+struct Segment
+{
+  std::size_t site;
+  double x, y, to_x, to_y;
+
+  // The nearest point of the segment.
+  std::array<double, 2> foot(double px, double py) const
+  {
+    const double dx = to_x - x, dy = to_y - y, squared = dx * dx + dy * dy;
+    const double t = squared > 0 ? ((px - x) * dx + (py - y) * dy) / squared : 0.;
+    const double within = (std::min)((std::max)(t, 0.), 1.);
+    return {x + within * dx, y + within * dy};
+  }
+
+  double distance(double px, double py) const
+  {
+    const std::array<double, 2> p = foot(px, py);
+    return std::hypot(px - p[0], py - p[1]);
+  }
+};
+
+// Is `found` the set of all sites with one of the points that are nearest to (x, y)?
+bool is_set_of_one_point(const std::vector<Segment>& segments, double x, double y, const Sites& found)
+{
+  constexpr double rounding = 1e-12;
+  double least = infinity;
+  for(const Segment& s : segments)
+    least = (std::min)(least, s.distance(x, y));
+  for(const Segment& s : segments)
+  {
+    if(s.distance(x, y) > least + rounding)
+      continue;
+    const std::array<double, 2> p = s.foot(x, y);
+    Sites sites;
+    for(const Segment& other : segments)
+      if(other.distance(p[0], p[1]) <= rounding)
+        sites.push_back(other.site);
+    sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
+    if(sites == found)
+      return true;
+  }
+  return false;
+}
+
+// Curves along edges of a grid, and points on the lines and diagonals between them.
+void ties_in_the_plane()
+{
+  const Square s(6);
+  for(std::uint64_t seed = 0; seed < 40; ++seed)
+  {
+    const test_support::Scope scope("ties, seed " + std::to_string(seed));
+    test_support::Random random(seed);
+    Voronoi diagram(s.tm);
+    std::vector<Segment> segments;
+    for(std::size_t i = 0; i < 6; ++i)
+    {
+      double x = double(random.index(7)), y = double(random.index(7));
+      std::vector<std::array<double, 2>> points{{{x, y}}};
+      segments.push_back({i, x, y, x, y});
+      for(std::size_t n = random.index(4); n > 0; --n)
+      {
+        double& coordinate = random.index(2) == 0 ? x : y;
+        const double before_x = x, before_y = y;
+        coordinate += coordinate == 0 || (coordinate < 6 && random.index(2) == 0) ? 1 : -1;
+        points.push_back({{x, y}});
+        segments.push_back({i, before_x, before_y, x, y});
+      }
+      diagram.add_site(s.line(points));
+    }
+    for(const face_descriptor f : faces(s.tm))
+      for(const std::array<double, 3>& b : {std::array<double, 3>{{.5, .5, 0}}, {{.5, .25, .25}}, {{0, 0, 1}}})
+      {
+        const Location l(f, b);
+        const Point p = diagram.point(l);
+        CHECK(is_set_of_one_point(segments, p.x(), p.y(), sites_at(diagram, l)));
+      }
   }
 }
 
@@ -187,6 +267,12 @@ std::vector<Curve> curves_that_touch(const Mesh& tm, test_support::Random& rando
     }
     curves.emplace_back(tm, further);
   }
+  // A corner beside a vertex, where edges of the curve are as short as rounding, and the same point.
+  const face_descriptor f = random_location(tm, random).first;
+  const double beside = hostile_meshes::of_any_scale(-8., -3., random);
+  const Location corner(f, {1 - beside, beside, 0});
+  curves.emplace_back(tm, std::vector<Location>{{f, {.25, .5, .25}}, corner, {f, {beside, 1 - beside, 0}}});
+  curves.emplace_back(tm, std::vector<Location>{corner});
   return curves;
 }
 
@@ -267,6 +353,7 @@ void bumpy_spheres()
 int main()
 {
   curves_in_the_plane();
+  ties_in_the_plane();
   points_in_the_plane();
   places_without_sites();
   bumpy_spheres();

@@ -677,8 +677,8 @@ public:
   std::size_t number_of_sites() const { return m_lazy.sites().size(); }
 
   /// returns the location of a site. For a vertex this is a corner of one of its faces, for a curve the location of its
-  /// first point. The face is the null face for a
-  /// vertex without faces, and for a descriptor that is not a vertex of the mesh.
+  /// first point. The face is the null face for a vertex without faces, and for a descriptor that is not a vertex of
+  /// the mesh.
   ///
   /// \param i the number of the site
   /// \pre `i < number_of_sites()`
@@ -783,11 +783,12 @@ public:
   }
 
   /// writes all sites that have the point of the sites which is nearest to a vertex, of those with the largest weight.
-  /// `nearest_site()` returns one of them. So the common end of two curves belongs to both curves, and so do all points
-  /// that are nearest to it. An edge on several curves belongs to all of them, also if their cells are empty.
+  /// So the common end of two curves belongs to both curves, and so do all points that are nearest to it. An edge on
+  /// several curves belongs to all of them, also if their cells are empty. Points and weights are the same up to
+  /// rounding (weights: of their differences from the largest one).
   ///
-  /// Sites with different nearest points that are equally far are not all written: these are the sites of `arcs()` and
-  /// `vertices()` at that place.
+  /// `nearest_site()` returns one of these sites, unless several points are equally near. Then the sites of one of
+  /// these points are written. All sites of the place are those of `arcs()` and `vertices()` there.
   ///
   /// Takes the time of `nearest_site()`, plus time linear in the number of sites if all of them are points, or in the
   /// number of windows on the edges of a face and of bends of the path if there are curves.

@@ -26,7 +26,6 @@
 #include <CGAL/Surface_mesh_geodesics/internal/surface/equal_sources.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/strips/Curve_arrivals.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -115,10 +114,9 @@ bool propagate_diagram(Solver& solver, Voronoi_complex<double>& complex, double 
 
 // Curves with a common end or a common edge, and several sites at one point, are equally far where this is nearest.
 //
-// Returns the sites that are where the shortest path from a query ends, with the weight that counts there, in ascending
-// order. `site` is that of the cell of the query, and one of them. If all sites are points, the cell tells the point.
-// With curves, the path tells it; the run has kept the windows for that. Near an arc, rounding may let the path come
-// from the other side. Then the sites there are added to `site`.
+// Returns all sites that have the nearest point of a query, with the weight that counts there, in ascending order. If
+// all sites are points, the cell tells the point; `site` is that of the cell. With curves, the path tells it; the run
+// has kept the windows for that. On an arc, the path may come from the other side.
 template <typename Solver>
 std::vector<std::size_t> sites_with_nearest_point(const Solver& solver, const typename Solver::Query& q,
                                                   std::size_t site)
@@ -127,11 +125,7 @@ std::vector<std::size_t> sites_with_nearest_point(const Solver& solver, const ty
     return solver.sources().equal_sources(site);
   const std::vector<std::uint32_t> at_end
     = curves_at(solver.curve_arrivals().curves, solver.curve_place(solver.arrival(solver.nearest_side(q))));
-  std::vector<std::size_t> result(at_end.begin(), at_end.end());
-  const auto position = std::lower_bound(result.begin(), result.end(), site);
-  if(position == result.end() || *position != site)
-    result.insert(position, site);
-  return result;
+  return std::vector<std::size_t>(at_end.begin(), at_end.end());
 }
 
 } // namespace internal

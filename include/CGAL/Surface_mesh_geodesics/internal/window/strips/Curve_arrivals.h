@@ -67,6 +67,9 @@ const Curve_point<FT>& curve_point_at(const Source_curves<FT>& curves, Vertex_id
   return it->point;
 }
 
+// Why a place is more than a point of a curve: results name one curve, that of the edge or of the vertex that counts
+// there. All curves that have the point are found by the edge or the vertex itself (curves_at()).
+//
 // Where a path from curves begins: at a vertex on a curve, at a point inside of a source edge, or at an end of the edge
 // from which its last ray comes.
 template <typename FT>
@@ -123,16 +126,24 @@ Curve_point<FT> curve_point_of_vertex(const Source_curves<FT>& curves, const Ver
   return curve_point_at(curves, place_of_vertex(curves, field, foot_of, v));
 }
 
-// The curves that have a place, of those with the smallest offset there, in ascending order. Takes time logarithmic in
-// the number of elements on several curves, plus that of sorting the result.
+// The curves that have a place, of those with the smallest offset there, in ascending order. An inner point of an edge
+// that is its end up to rounding counts for the end: it may be the end of a strip, which rounding has moved. Takes time
+// logarithmic in the number of elements on several curves, plus that of sorting the result.
 template <typename FT>
-std::vector<std::uint32_t> curves_at(const Source_curves<FT>& curves, const Curve_place<FT>& place)
+std::vector<std::uint32_t> curves_at(const Source_curves<FT>& curves, Curve_place<FT> place)
 {
+  if(place.edge != nullptr)
+  {
+    const bool is_nearer_to_first = place.t < FT(1) / 2;
+    const FT to_end = place.edge->length * (is_nearer_to_first ? place.t : FT(1 - place.t));
+    if(to_end <= Tolerance<FT>::barycentric())
+      place.vertex = is_nearer_to_first ? place.edge->first : place.edge->last;
+  }
   const bool is_vertex = place.vertex != null_id;
   const std::uint32_t element = is_vertex ? place.vertex : (std::min)(place.edge->left, place.edge->right);
   const std::vector<Further_curve>& further
     = is_vertex ? curves.further_curves_of_vertices : curves.further_curves_of_edges;
-  std::vector<std::uint32_t> result(1, curve_point_at(curves, place).curve);
+  std::vector<std::uint32_t> result(1, is_vertex ? curve_point_at(curves, place.vertex).curve : place.edge->curve);
   auto it = std::lower_bound(further.begin(), further.end(), element,
                              [](const Further_curve& a, std::uint32_t b) { return a.element < b; });
   for(; it != further.end() && it->element == element; ++it)
