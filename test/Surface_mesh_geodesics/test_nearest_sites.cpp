@@ -246,6 +246,35 @@ void places_without_sites()
   }
 }
 
+// A corner near a vertex, where edges of the refined mesh are as short as 1e-12, and a curve that is the same point. A
+// third site with another weight changes the rounding of all distances.
+void corner_between_short_edges()
+{
+  const test_support::Scope scope("a corner between short edges");
+  const Mesh tm = to_face_graph(flat_patch(4, 4, .15, true, 4016));
+  const face_descriptor f(21);
+  const double first = 0x1.5bca8a8a7984fp-17, second = 0x1.fffe39ecb52b5p-1;
+  const double a = 0x1.ffffbecb11c89p-1, b = 0x1.04d3b8dda6708p-19;
+  const Location corner(f, {a, b, 1 - a - b});
+  const Curve curve(tm, std::vector<Location>{{f, {.25, .5, .25}}, corner, {f, {first, second, 1 - first - second}}});
+  std::vector<face_descriptor> avoided;
+  for(const unsigned int i : {0u, 7u, 13u, 22u, 23u, 30u, 31u})
+    avoided.emplace_back(i);
+  const Location query(face_descriptor(15), {.5, .25, .25});
+  for(const unsigned int i : {2u, 7u, 12u, 17u, 22u})
+  {
+    const vertex_descriptor v(i);
+    Voronoi diagram(tm);
+    diagram.avoid_faces(avoided);
+    diagram.add_site(curve);
+    diagram.add_site(Curve(tm, std::vector<Location>{corner}));
+    CHECK(sites_at(diagram, query) == (Sites{0, 1}));
+    diagram.add_site(v, .25);
+    const Sites found = sites_at(diagram, query);
+    CHECK(found == (Sites{0, 1}) || found == Sites{2});
+  }
+}
+
 // --- against paths from one site at a time ---
 
 // Curves of which many begin at the same vertex, curves anywhere, and a part of an earlier one.
@@ -269,7 +298,7 @@ std::vector<Curve> curves_that_touch(const Mesh& tm, test_support::Random& rando
   }
   // A corner beside a vertex, where edges of the curve are as short as rounding, and the same point.
   const face_descriptor f = random_location(tm, random).first;
-  const double beside = hostile_meshes::of_any_scale(-8., -3., random);
+  const double beside = hostile_meshes::of_any_scale(-8., -5., random);
   const Location corner(f, {1 - beside, beside, 0});
   curves.emplace_back(tm, std::vector<Location>{{f, {.25, .5, .25}}, corner, {f, {beside, 1 - beside, 0}}});
   curves.emplace_back(tm, std::vector<Location>{corner});
@@ -354,6 +383,7 @@ int main()
 {
   curves_in_the_plane();
   ties_in_the_plane();
+  corner_between_short_edges();
   points_in_the_plane();
   places_without_sites();
   bumpy_spheres();
