@@ -1310,6 +1310,6 @@ MUTANTS = [
      "    if(!a.is_closed)\n      a = angle_around", "    if(false)\n      a = angle_around",
      "directions at a border that was cut later count from an edge in its middle", (BORDER_DIRECTIONS,)),
     ("directions_of_border_reduced", PATH_DIRECTIONS,
-     "return is_at_border ? ", "return false ? ",
+     "return d.is_at_border ? ", "return false ? ",
      "directions at a border with more than a full circle lead elsewhere", (BORDER_DIRECTIONS,)),
 ]

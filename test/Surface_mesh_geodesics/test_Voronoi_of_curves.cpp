@@ -4,6 +4,7 @@
 
 #include "Voronoi_test_helpers.h"
 #include "curve_cases.h"
+#include "curves_in_plane.h"
 
 #include <CGAL/Surface_mesh_geodesics/certify_geodesic_Voronoi_diagram.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_Voronoi_labels.h>
@@ -38,38 +39,6 @@ void add_sites(Voronoi& diagram, const std::vector<Curve>& curves, const Weights
 }
 
 // --- the plane ---
-
-// A square of n x n cells with the corner at the origin, its vertices by their coordinates.
-struct Square
-{
-  explicit Square(std::size_t n) : tm(to_face_graph(flat_patch(n, n, 0., true, 1))), size(static_cast<double>(n)) {}
-
-  vertex_descriptor at(double x, double y) const
-  {
-    for(const vertex_descriptor v : vertices(tm))
-      if(std::abs(tm.point(v).x() - x) < 1e-9 && std::abs(tm.point(v).y() - y) < 1e-9)
-        return v;
-    return Mesh::null_vertex();
-  }
-
-  // The curve through the vertices of a grid line, from one point to another at integer distance.
-  Curve line(double x, double y, double to_x, double to_y) const
-  {
-    const double n = (std::max)(std::abs(to_x - x), std::abs(to_y - y));
-    std::vector<vertex_descriptor> result;
-    for(double i = 0; i <= n; ++i)
-      result.push_back(at(x + i * (to_x - x) / n, y + i * (to_y - y) / n));
-    return Curve(tm, result);
-  }
-
-  Curve bottom() const { return line(0, 0, size, 0); }
-  Curve top() const { return line(0, size, size, size); }
-  Curve left() const { return line(0, 0, 0, size); }
-  Curve right() const { return line(size, 0, size, size); }
-
-  Mesh tm;
-  double size;
-};
 
 // Checks that f vanishes on all arcs, and that the cells have the given areas. Both are relative to the size.
 void check_plane(const std::string& name, const Square& square, const std::vector<Curve>& curves,

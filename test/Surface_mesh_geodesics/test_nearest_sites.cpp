@@ -3,6 +3,7 @@
 
 #include "Voronoi_test_helpers.h"
 #include "curve_cases.h"
+#include "curves_in_plane.h"
 #include "expected_exceptions.h"
 
 #include <CGAL/squared_distance_3.h>
@@ -32,30 +33,6 @@ Sites sites_at(const Voronoi& diagram, const Place& place)
   CHECK(std::is_sorted(result.begin(), result.end()));
   return result;
 }
-
-// A square of n x n cells, each vertex by its coordinates.
-struct Square
-{
-  explicit Square(std::size_t n) : tm(to_face_graph(flat_patch(n, n, 0., true, 1))) {}
-
-  vertex_descriptor at(double x, double y) const
-  {
-    for(const vertex_descriptor v : vertices(tm))
-      if(CGAL::squared_distance(tm.point(v), Point(x, y, 0)) < 1e-18)
-        return v;
-    return Mesh::null_vertex();
-  }
-
-  Curve line(const std::vector<std::array<double, 2>>& points) const
-  {
-    std::vector<vertex_descriptor> result;
-    for(const std::array<double, 2>& p : points)
-      result.push_back(at(p[0], p[1]));
-    return Curve(tm, result);
-  }
-
-  Mesh tm;
-};
 
 // Compares the sites at the inner point of a face in each cell of the square with a function of the coordinates.
 template <typename Expected>
@@ -109,39 +86,24 @@ void curves_in_the_plane()
 struct Segment
 {
   std::size_t site;
-  double x, y, to_x, to_y;
-
-  // The nearest point of the segment.
-  std::array<double, 2> foot(double px, double py) const
-  {
-    const double dx = to_x - x, dy = to_y - y, squared = dx * dx + dy * dy;
-    const double t = squared > 0 ? ((px - x) * dx + (py - y) * dy) / squared : 0.;
-    const double within = (std::min)((std::max)(t, 0.), 1.);
-    return {x + within * dx, y + within * dy};
-  }
-
-  double distance(double px, double py) const
-  {
-    const std::array<double, 2> p = foot(px, py);
-    return std::hypot(px - p[0], py - p[1]);
-  }
+  Point_2 from, to;
 };
 
 // Is `found` the set of all sites with one of the points that are nearest to (x, y)?
-bool is_set_of_one_point(const std::vector<Segment>& segments, double x, double y, const Sites& found)
+bool is_set_of_one_point(const std::vector<Segment>& segments, const Point_2& p, const Sites& found)
 {
   constexpr double rounding = 1e-12;
   double least = infinity;
   for(const Segment& s : segments)
-    least = (std::min)(least, s.distance(x, y));
+    least = (std::min)(least, distance_to_segment(p, s.from, s.to));
   for(const Segment& s : segments)
   {
-    if(s.distance(x, y) > least + rounding)
+    if(distance_to_segment(p, s.from, s.to) > least + rounding)
       continue;
-    const std::array<double, 2> p = s.foot(x, y);
+    const Point_2 foot = foot_on_segment(p, s.from, s.to);
     Sites sites;
     for(const Segment& other : segments)
-      if(other.distance(p[0], p[1]) <= rounding)
+      if(distance_to_segment(foot, other.from, other.to) <= rounding)
         sites.push_back(other.site);
     sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
     if(sites == found)
@@ -162,16 +124,15 @@ void ties_in_the_plane()
     std::vector<Segment> segments;
     for(std::size_t i = 0; i < 6; ++i)
     {
-      double x = double(random.index(7)), y = double(random.index(7));
-      std::vector<std::array<double, 2>> points{{{x, y}}};
-      segments.push_back({i, x, y, x, y});
+      std::vector<Point_2> points{{double(random.index(7)), double(random.index(7))}};
+      segments.push_back({i, points[0], points[0]});
       for(std::size_t n = random.index(4); n > 0; --n)
       {
-        double& coordinate = random.index(2) == 0 ? x : y;
-        const double before_x = x, before_y = y;
+        Point_2 p = points.back();
+        double& coordinate = p[random.index(2)];
         coordinate += coordinate == 0 || (coordinate < 6 && random.index(2) == 0) ? 1 : -1;
-        points.push_back({{x, y}});
-        segments.push_back({i, before_x, before_y, x, y});
+        segments.push_back({i, points.back(), p});
+        points.push_back(p);
       }
       diagram.add_site(s.line(points));
     }
@@ -180,7 +141,7 @@ void ties_in_the_plane()
       {
         const Location l(f, b);
         const Point p = diagram.point(l);
-        CHECK(is_set_of_one_point(segments, p.x(), p.y(), sites_at(diagram, l)));
+        CHECK(is_set_of_one_point(segments, {p.x(), p.y()}, sites_at(diagram, l)));
       }
   }
 }

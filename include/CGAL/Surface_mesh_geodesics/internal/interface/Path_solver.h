@@ -364,10 +364,10 @@ public:
   // Returns the direction of a departure from a source, in the tangent frame of the source; 0 for a path of no length.
   // It is linear in the angle of the departure, which may be any number. f is the face of the user in which the source
   // lies; it does not matter if the source is a vertex of the mesh. Takes time linear in the degree of the source.
-  double direction_of_departure(const Departure<double>& d, face_descriptor f) const
+  Direction_at_source direction_of_departure(const Departure<double>& d, face_descriptor f) const
   {
     if(d.halfedge == null_id)
-      return 0;
+      return {};
     return mesh().source(d.halfedge) < user_surface().number_of_vertices() ? m_surface.direction_at_vertex(d)
                                                                            : m_surface.direction_in_face(d, f);
   }

@@ -204,7 +204,7 @@ public:
   // Returns the direction of a departure from a source that is a vertex of the user: the angle from
   // opposite(halfedge(v, tm), tm), scaled to a full turn, or at the border the angle from the first halfedge. Linear in
   // the degree.
-  double direction_at_vertex(const Departure<double>& d) const
+  Direction_at_source direction_at_vertex(const Departure<double>& d) const
   {
     const Halfedge_id wanted = m_surface.halfedge_of_frame(mesh().source(d.halfedge));
     Angle_around<double> a = angle_around(mesh(), d, [&](Halfedge_id h)
@@ -216,13 +216,13 @@ public:
     // been removed or are avoided, and between walls.
     if(!a.is_closed)
       a = angle_around(mesh(), d, [](Halfedge_id) { return false; });
-    return a.is_closed && a.total > 0 ? a.angle / a.total * full_circle() : a.angle;
+    return {a.is_closed && a.total > 0 ? a.angle / a.total * full_circle() : a.angle, !a.is_closed};
   }
 
   // Returns the direction of a departure from a source in the face f of the user, or on an edge of it: the angle from
   // halfedge(f, tm). Of the parts of the face around the source, the largest one knows best where that halfedge is.
   // Linear in the degree.
-  double direction_in_face(const Departure<double>& d, face_descriptor f) const
+  Direction_at_source direction_in_face(const Departure<double>& d, face_descriptor f) const
   {
     const Halfedge_id first = m_surface.first_halfedge(f);
     Halfedge_id reference = null_id;
@@ -241,7 +241,7 @@ public:
         largest = a[1];
       }
     });
-    return angle + angle_around(mesh(), d, [&](Halfedge_id h) { return h == reference; }).angle;
+    return {angle + angle_around(mesh(), d, [&](Halfedge_id h) { return h == reference; }).angle, false};
   }
 
   // --- queries: they throw Invalid_geodesic_input ---

@@ -38,6 +38,14 @@ struct Departure
   FT angle = 0;
 };
 
+// A direction in the tangent frame of a source. At a vertex of the border it is the angle from the first halfedge,
+// which may exceed a full circle; elsewhere full circles do not matter.
+struct Direction_at_source
+{
+  double angle = 0;
+  bool is_at_border = false;
+};
+
 // The angle of the face of h at the source of h, in [0, pi].
 template <typename FT>
 FT corner_angle(const Intrinsic_mesh<FT>& mesh, Halfedge_id h)

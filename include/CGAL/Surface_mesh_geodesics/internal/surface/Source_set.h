@@ -80,9 +80,9 @@ struct Source_set
   FT offset(std::size_t i) const { return offsets.empty() ? FT(0) : offsets[i]; }
 
   // The sources of the user that are at the point of source i and have its offset, i among them, in ascending order. On
-  // a wall they may be given on different sides of it. Linear in the number of sources, but for those on walls, whose
-  // vertices are searched. Requires: all are inserted; i < number_of_sources().
-  std::vector<std::size_t> equal_sources(std::size_t i) const
+  // a wall they may be given on different sides of it. Linear in the number of sources, times the number of sides at
+  // source i. Requires: all are inserted; i < number_of_sources().
+  std::vector<std::size_t> sources_at_point_of(std::size_t i) const
   {
     std::vector<Vertex_id> at;
     for(std::size_t j = 0; j < size(); ++j)

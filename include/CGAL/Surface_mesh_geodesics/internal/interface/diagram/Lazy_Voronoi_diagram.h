@@ -281,8 +281,7 @@ public:
     return has_walls() && (m_solver.has_curves() || std::find(on_walls.begin(), on_walls.end(), i) != on_walls.end());
   }
 
-  // Returns the factor from lengths of the intrinsic mesh to those of the user: a power of two. 1 if there are no
-  // sites.
+  // Returns the factor from lengths of the intrinsic mesh to those of the user: a power of two, 1 if there is no site.
   double unit() const { return m_sites.empty() ? 1. : m_solver.unit(); }
 
   // Returns a distance of the propagation in the user's unit, less the weight of its site. The offset of a site is the
@@ -326,10 +325,7 @@ public:
   bool is_cell_of_curve(Vertex_id cell) const { return has_numbers() && m_sites[cell].curve != nullptr; }
 
   // Returns the point of the site of a cell. Requires: the site is a point.
-  Point_3 point_of_cell(Vertex_id cell) const
-  {
-    return has_numbers() ? point_of_site(cell) : point_of_vertex(cell);
-  }
+  Point_3 point_of_cell(Vertex_id cell) const { return has_numbers() ? point_of_site(cell) : point_of_vertex(cell); }
 
   // --- queries: they build what they need ---
 
@@ -362,11 +358,15 @@ public:
   }
 
   // Returns all sites that have the nearest point, in ascending order. A place is a vertex, or a face and coordinates.
+  // With curves, the path tells the point, as the run has kept its windows; without, the cell does.
   template <typename... Place>
   std::vector<std::size_t> nearest_sites(const Place&... place) const
   {
+    build();
+    if(m_solver.has_curves())
+      return sites_at_end_of_path(m_solver, m_solver.arrival(m_solver.nearest_side(query(place...))));
     const std::size_t site = nearest_site(place...);
-    return site == no_site ? std::vector<std::size_t>() : sites_with_nearest_point(m_solver, query(place...), site);
+    return site == no_site ? std::vector<std::size_t>() : m_solver.sources().sources_at_point_of(site);
   }
 
   // Returns the distance of a place to the nearest site, less its weight; -1 if no site reaches it. A location that is

@@ -112,20 +112,16 @@ bool propagate_diagram(Solver& solver, Voronoi_complex<double>& complex, double 
   return true;
 }
 
-// Curves with a common end or a common edge, and several sites at one point, are equally far where this is nearest.
-//
-// Returns all sites that have the nearest point of a query, with the weight that counts there, in ascending order. If
-// all sites are points, the cell tells the point; `site` is that of the cell. With curves, the path tells it; the run
-// has kept the windows for that. On an arc, the path may come from the other side.
+// Returns the sites that have the point where a path ends, with the weight that counts there, in ascending order:
+// several if curves have a common end or a common edge, none if there is no path. Requires: there are curves among the
+// sites.
 template <typename Solver>
-std::vector<std::size_t> sites_with_nearest_point(const Solver& solver, const typename Solver::Query& q,
-                                                  std::size_t site)
+std::vector<std::size_t> sites_at_end_of_path(const Solver& solver, const typename Solver::Arrival& a)
 {
-  if(!solver.has_curves())
-    return solver.sources().equal_sources(site);
-  const std::vector<std::uint32_t> at_end
-    = curves_at(solver.curve_arrivals().curves, solver.curve_place(solver.arrival(solver.nearest_side(q))));
-  return std::vector<std::size_t>(at_end.begin(), at_end.end());
+  if(!a.is_reached())
+    return {};
+  const std::vector<std::uint32_t> numbers = curves_at(solver.curve_arrivals().curves, solver.curve_place(a));
+  return std::vector<std::size_t>(numbers.begin(), numbers.end());
 }
 
 } // namespace internal

@@ -45,24 +45,14 @@ inline double in_full_circle(double direction)
   return d < 0 ? d + full_circle : d;
 }
 
-// Does a halfedge leave a vertex of the user at a border, in its umbrella? A direction there is an angle from the first
-// halfedge, up to the angle of all faces, which may exceed a full circle. Linear in the degree.
-template <typename Solver>
-bool leaves_vertex_of_border(const Solver& solver, Halfedge_id h)
-{
-  using Graph_traits = typename Solver::Graph_traits;
-  return h != null_id && solver.user_vertex(solver.mesh().source(h)) != Graph_traits::null_vertex()
-      && !angle_around(solver.mesh(), Departure<double>{h, 0.}, [](Halfedge_id) { return false; }).is_closed;
-}
-
 // Returns a direction as users get it.
-inline double direction_for_user(double direction, bool is_at_border)
+inline double direction_for_user(const Direction_at_source& d)
 {
-  return is_at_border ? (std::max)(direction, 0.) : in_full_circle(direction);
+  return d.is_at_border ? (std::max)(d.angle, 0.) : in_full_circle(d.angle);
 }
 
-// Returns the direction of the path to a point; not a number if no source reaches it, or if there are
-// curves among the sources. Throws what Path_solver::path() throws.
+// Returns the direction of the path to a point; not a number if no source reaches it, or if there are curves among the
+// sources. Throws what Path_solver::path() throws.
 //
 // Traces the first straight piece of the path only, the one at the source. Its end is a vertex, whose own path is this
 // piece. A location whose path is straight has no such vertex, and is traced by itself.
@@ -85,8 +75,7 @@ double direction_of_path(const Solver& solver, typename Solver::Query q, FaceOfS
   const Departure<double> d = steps.size() == 1 && q.vertex == null_id
                                 ? departure_to_point(solver.mesh(), steps.back().vertex, q.face, q.coordinates)
                                 : departure(solver.mesh(), steps);
-  return direction_for_user(solver.direction_of_departure(d, face_of_source(solver.source_number(a))),
-                            leaves_vertex_of_border(solver, d.halfedge));
+  return direction_for_user(solver.direction_of_departure(d, face_of_source(solver.source_number(a))));
 }
 
 // The directions of straight paths from sources to vertices. Requires: the solver has run, and has no curves. Objects
@@ -121,18 +110,17 @@ public:
     {
       const auto f = m_face_of_source(m_solver.source_at(m_solver.mesh().source(ray.halfedge)));
       frame.begin = m_solver.direction_of_departure(Departure<double>{ray.halfedge, 0.}, f);
-      frame.growth = m_solver.direction_of_departure(Departure<double>{ray.halfedge, 1.}, f) - frame.begin;
-      frame.is_at_border = leaves_vertex_of_border(m_solver, ray.halfedge);
+      frame.growth = m_solver.direction_of_departure(Departure<double>{ray.halfedge, 1.}, f).angle - frame.begin.angle;
     }
-    return direction_for_user(frame.begin + frame.growth * ray.angle, frame.is_at_border);
+    return direction_for_user({frame.begin.angle + frame.growth * ray.angle, frame.begin.is_at_border});
   }
 
 private:
   // Of the directions in one face: that of its first halfedge, and how they grow with the angle from there.
   struct Frame
   {
-    double begin = 0, growth = 0;
-    bool is_at_border = false;
+    Direction_at_source begin;
+    double growth = 0;
   };
 
   const Solver& m_solver;
