@@ -782,13 +782,13 @@ public:
     return nearest_site(location.first, location.second);
   }
 
-  /// writes all sites that have the point of the sites which is nearest to a vertex, of those with the largest weight.
-  /// So the common end of two curves belongs to both curves, and so do all points that are nearest to it. An edge on
-  /// several curves belongs to all of them, also if their cells are empty. Points and weights are the same up to
-  /// rounding (weights: of their differences from the largest one).
+  /// writes the sites at the nearest point: of all points of sites, the one that is nearest to a vertex. If sites with
+  /// different weights are there, only those with the largest weight count. So the common end of two curves belongs to
+  /// both curves, and so do all points that are nearest to it. An edge on several curves belongs to all of them, also
+  /// if their cells are empty. Points count as the same up to rounding, and so do weights.
   ///
-  /// `nearest_site()` returns one of these sites, unless several points are equally near. Then the sites of one of
-  /// these points are written. All sites of the place are those of `arcs()` and `vertices()` there.
+  /// `nearest_site()` returns one of these sites, unless several points are equally near. Then the sites at one of
+  /// these points are written; `arcs()` and `vertices()` know the others.
   ///
   /// Takes the time of `nearest_site()`, plus time linear in the number of sites if all of them are points, or in the
   /// number of windows on the edges of a face and of bends of the path if there are curves.
@@ -806,7 +806,7 @@ public:
     return output;
   }
 
-  /// writes the sites that have the nearest point, as above, for a location.
+  /// writes the sites at the nearest point of a location, as above.
   ///
   /// \tparam OutputIterator a model of `OutputIterator` that takes `Site_index`
   /// \param location a face of the mesh and coordinates in it

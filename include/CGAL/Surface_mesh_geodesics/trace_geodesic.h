@@ -87,7 +87,8 @@ It ends at the border, also where it touches a vertex of the border. A point who
 (see the parameter `sources` of `geodesic_distances()`) is the vertex.
 
 <b>Directions.</b> A direction is an angle in radians, counterclockwise as seen from the side from which faces are
-counterclockwise. Full turns do not matter, but at a vertex of the border whose faces fill more than one. It is counted
+counterclockwise. Full turns do not matter, except where the faces at a vertex of the border fill more than one. A
+direction is counted
 
 - in a face or on an edge, from the direction of `halfedge(f,tm)`, for the face `f` of the location. A direction that
   leads from an edge into the face across it is counted as if both faces were laid out in one plane;
