@@ -197,30 +197,37 @@ private:
     return smallest;
   }
 
+  // Where the segment from p to the anchor meets an arc: how far from p, and the cell on the side of p with its image.
+  // The anchor itself has no image.
+  struct Crossing
+  {
+    FT way;
+    Vertex_id site;
+    const Additively_weighted_point<FT>* image = nullptr;
+  };
+
   // Returns the cell of p, given an anchor: of the arc that the segment meets nearest to p, the cell on the side of p;
   // the cell of the anchor if the segment meets no arc.
   Vertex_id cell_on_the_way(const Anchor& anchor) const
   {
-    Vertex_id site = anchor.site;
-    FT first = distance(m_p, anchor.point);
-    for_each_arc([&](const Arc& a) { meet_arc(a, anchor.point, site, first); });
-    return site;
+    Crossing nearest{distance(m_p, anchor.point), anchor.site};
+    for_each_arc([&](const Arc& a) { meet_arc(a, anchor.point, nearest); });
+    return nearest.site;
   }
 
-  // If the segment from p to q meets the arc at a distance less than `first` from p, sets `first` to that distance and
-  // `site` to the cell on the side of p. An arc meets the line of the segment where way() is 0: once if it is a
-  // segment, at most twice if it is a piece of a hyperbola. (way.b, -way.a) is the unit vector from p to q.
-  void meet_arc(const Arc& a, const Point& q, Vertex_id& site, FT& first) const
+  // Replaces `nearest` by where the segment from p to q meets the arc, if that comes first (is_before()). An arc meets
+  // the line of the segment where way() is 0: once if it is a segment, at most twice if it is a piece of a hyperbola.
+  // (way.b, -way.a) is the unit vector from p to q.
+  void meet_arc(const Arc& a, const Point& q, Crossing& nearest) const
   {
     const Half_plane<FT> way = Half_plane<FT>::left_of(m_p, q);
     const Weighted_bisector<FT> curve(a.left, a.right, a.first);
-    // Returns whether x is in front of what the segment has met so far.
-    const auto meets = [&](const Point& x)
+    const auto meet = [&](const Point& x, bool is_on_left)
     {
-      const FT along = (x.x - m_p.x) * way.b - (x.y - m_p.y) * way.a;
-      const bool is_first = along >= 0 && along < first;
-      first = is_first ? along : first;
-      return is_first;
+      const Crossing c{FT((x.x - m_p.x) * way.b - (x.y - m_p.y) * way.a), is_on_left ? a.left_site : a.right_site,
+                       is_on_left ? &a.left : &a.right};
+      if(c.way >= 0 && is_before(c, nearest, way))
+        nearest = c;
     };
     if(!is_curved(a, curve))
     {
@@ -228,16 +235,27 @@ private:
       if((from < 0) == (to < 0))
         return;
       const FT t = from / (from - to);
-      const Point x{FT(a.first.x + t * (a.last.x - a.first.x)), FT(a.first.y + t * (a.last.y - a.first.y))};
-      if(meets(x))
-        site = site_beside_segment(a);
+      meet(Point{FT(a.first.x + t * (a.last.x - a.first.x)), FT(a.first.y + t * (a.last.y - a.first.y))},
+           is_left_of_segment(a));
       return;
     }
     using std::atan;
     const FT end = curve.angle_near(a.last);
     for(const FT& t : curve.side(way).positive_roots())
-      if(t < std::numeric_limits<FT>::infinity() && atan(t) <= end && meets(curve.point(t)))
-        site = site_beside_curve(a, curve, t);
+      if(t < std::numeric_limits<FT>::infinity() && atan(t) <= end)
+        meet(curve.point(t), is_left_of_curve(curve, t));
+  }
+
+  // Returns whether the crossing c comes before d on the way from p. The two arcs beside a cell without width run along
+  // each other: there the cell comes first whose image is nearer a bit toward p. (A tie keeps d.)
+  bool is_before(const Crossing& c, const Crossing& d, const Half_plane<FT>& way) const
+  {
+    using std::abs;
+    if(d.image == nullptr || abs(FT(c.way - d.way)) > resolution())
+      return c.way < d.way;
+    const FT t = d.way * (1 - Tolerance<FT>::look_ahead());
+    const Point beside{FT(m_p.x + t * way.b), FT(m_p.y - t * way.a)};
+    return c.image->distance_to(beside) < d.image->distance_to(beside);
   }
 
   // Return the cell of an arc on the side of p, as seen from its point at parameter t. Ties go to the right site.
@@ -246,14 +264,18 @@ private:
   // from the other one, the curve is a hyperbola thinner than any step, and behind it the wrong image is nearer.)
   Vertex_id site_beside_curve(const Arc& a, const Weighted_bisector<FT>& curve, const FT& t) const
   {
-    const Point x = curve.point(t), u = curve.derivative(t);
-    return u.x * (m_p.y - x.y) - u.y * (m_p.x - x.x) > 0 ? a.left_site : a.right_site;
+    return is_left_of_curve(curve, t) ? a.left_site : a.right_site;
   }
 
-  Vertex_id site_beside_segment(const Arc& a) const
+  Vertex_id site_beside_segment(const Arc& a) const { return is_left_of_segment(a) ? a.left_site : a.right_site; }
+
+  bool is_left_of_curve(const Weighted_bisector<FT>& curve, const FT& t) const
   {
-    return Half_plane<FT>::left_of(a.first, a.last)(m_p) > 0 ? a.left_site : a.right_site;
+    const Point x = curve.point(t), u = curve.derivative(t);
+    return u.x * (m_p.y - x.y) - u.y * (m_p.x - x.x) > 0;
   }
+
+  bool is_left_of_segment(const Arc& a) const { return Half_plane<FT>::left_of(a.first, a.last)(m_p) > 0; }
 
   // Returns the distance below which two points count as one, in the unit of the layout.
   FT resolution() const

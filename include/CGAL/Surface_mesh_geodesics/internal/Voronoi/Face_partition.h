@@ -253,18 +253,27 @@ private:
   }
 
   // Connects the first front that leads to the start of another one with the same sites, if there is one. Returns
-  // whether there is.
+  // whether there is. A front along a ray comes last: where a ray ends at a breakpoint of another curve of the same two
+  // sites, that curve has to have it.
   bool split(std::vector<Front>& fronts)
   {
+    std::size_t along_ray = none;
     for(std::size_t i = 0; i < fronts.size(); ++i)
     {
       const std::size_t j = other_end(fronts, i);
       if(j == none)
         continue;
-      split_at(fronts, i, j);
-      return true;
+      if(!fronts[i].follows_ray())
+      {
+        split_at(fronts, i, j);
+        return true;
+      }
+      along_ray = (std::min)(along_ray, i);
     }
-    return false;
+    if(along_ray == none)
+      return false;
+    split_at(fronts, along_ray, other_end(fronts, along_ray));
+    return true;
   }
 
   // Returns the front through whose start front i leads first, otherwise the closest one to where it leaves the face,

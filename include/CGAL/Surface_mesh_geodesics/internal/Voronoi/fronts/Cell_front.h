@@ -103,6 +103,20 @@ struct Cell_front
     return piece_through(q) != none ? FT(0) : nearest_end(q).second;
   }
 
+  // Returns whether a piece follows a ray. Beside a ray one site is nearer on both sides, so that the other one has a
+  // cell without width there: such a way may lead past the other end of the curve.
+  bool follows_ray() const
+  {
+    Point from = p;
+    for(const Front_piece<FT>& piece : pieces)
+    {
+      if(Weighted_bisector<FT>(piece.left, piece.right, from).is_ray())
+        return true;
+      from = piece.end;
+    }
+    return false;
+  }
+
   // Returns the index of the piece that leads through v, up to rounding; `none` if no piece does. A piece leads through
   // v if v is equally far from both of its images, and lies between the ends of the piece as measured along the tangent
   // of the bisector at v. (A ray has no valid bisector: no piece along one counts.)

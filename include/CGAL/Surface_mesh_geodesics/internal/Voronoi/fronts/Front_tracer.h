@@ -442,15 +442,16 @@ private:
     return is_found;
   }
 
-  // Returns whether the curve of two images at the end of f leads to where f comes from: whether its tangent there
-  // makes an angle of more than 90 degrees with the chord of the last piece.
+  // Returns whether the curve of two images at the end of f leads back along the last piece. (A cell that ends in a
+  // point may turn a front by nearly half a turn there.)
   bool turns_back(const Front& f, std::size_t l, std::size_t r) const
   {
+    using std::abs;
     if(f.pieces.empty())
       return false;
-    const Point& from = f.pieces.size() > 1 ? f.pieces[f.pieces.size() - 2].end : f.p;
+    const Point t = Bisector(f.pieces.back().left, f.pieces.back().right, f.end).tangent();
     const Point u = Bisector(m_images[l].point, m_images[r].point, f.end).tangent();
-    return (f.end.x - from.x) * u.x + (f.end.y - from.y) * u.y < 0;
+    return t.x * u.x + t.y * u.y < 0 && abs(FT(t.x * u.y - t.y * u.x)) <= Tolerance<FT>::touching();
   }
 
   // Returns how far the curve of two images leads from p into the face and their cones, 0 if another one of the tied
