@@ -90,6 +90,7 @@ ARC_PIECE = INTERNAL + "certificate/Arc_piece.h"
 INTRINSIC_MESH = INTERNAL + "surface/Intrinsic_mesh.h"
 EQUAL_SOURCES = INTERNAL + "surface/equal_sources.h"
 LOCATOR = INTERNAL + "Voronoi/Cell_locator.h"
+TRACER = INTERNAL + "Voronoi/fronts/Front_tracer.h"
 MEASURES = INTERNAL + "Voronoi/Voronoi_cell_measures.h"
 FACE_CUT = INTERNAL + "Voronoi/Voronoi_face_cut.h"
 CHECKS = INTERNAL + "certificate/Distance_checks.h"
@@ -192,6 +193,7 @@ HOSTILE_CURVES = "test_curves_on_hostile_meshes"
 CURVE_PATHS = "test_paths_from_curves"
 BORDER_CURVES = "test_border_curves"
 NEAREST_SITES = "test_nearest_sites"
+LATTICES = "test_Voronoi_on_lattices"
 PAIR_PATHS = "test_geodesic_path"
 BORDER_DIRECTIONS = "test_directions_at_borders"
 CURVES_OF_PATHS = "test_shortest_path_curve"
@@ -747,8 +749,8 @@ MUTANTS = [
      "result.is_reversed = false;\n    const Index_range* const nodes = m_edge_nodes",
      "the two faces of an edge see its points in the same order", (BY_HAND, CUT)),
     ("locator_wrong_side", LOCATOR,
-     "return u.x * (m_p.y - x.y) - u.y * (m_p.x - x.x) > 0 ? a.left_site : a.right_site;",
-     "return u.x * (m_p.y - x.y) - u.y * (m_p.x - x.x) < 0 ? a.left_site : a.right_site;",
+     "return u.x * (m_p.y - x.y) - u.y * (m_p.x - x.x) > 0;",
+     "return u.x * (m_p.y - x.y) - u.y * (m_p.x - x.x) < 0;",
      "points are located in the cell on the other side of a curve", (SYMMETRIC,)),
     ("area_on_both_sides", MEASURES,
      "const double factor = is_left ? 1 : -1;", "const double factor = 1;",
@@ -1312,4 +1314,22 @@ MUTANTS = [
     ("directions_of_border_reduced", PATH_DIRECTIONS,
      "return d.is_at_border ? ", "return false ? ",
      "directions at a border with more than a full circle lead elsewhere", (BORDER_DIRECTIONS,)),
+    ("no_sharp_turns", TRACER,
+     "abs(FT(t.x * u.y - t.y * u.x)) <= Tolerance<FT>::touching();", "true;",
+     "a front does not turn where a cell ends in a sharp point at the border of a face", (LATTICES,)),
+    ("no_third_site_behind_cone", TRACER,
+     "next < m_images.number() ? none", "true ? none",
+     "a front follows the end of a site that another site owns", (LATTICES,)),
+    ("no_meeting_on_the_way", FACE_PARTITION,
+     "if(distance(f.p, g.p) <= tolerance)\n      return false;", "return false;",
+     "a segment joins the ends of a curve whose traces miss each other", (LATTICES,)),
+    ("meeting_of_rays_side_by_side", FACE_PARTITION,
+     "if(distance(f.p, g.p) <= tolerance)\n      return false;", "",
+     "the sides of a cell without width lead through other cells", (LATTICES,)),
+    ("crossing_of_touching_curves", LOCATOR,
+     "> Tolerance<FT>::closeness() * norm(u.x, u.y);", ">= 0;",
+     "a segment that touches an arc is in its other cell", (LATTICES,)),
+    ("any_of_two_arcs_at_one_place", LOCATOR,
+     "return c.image->distance_to(beside) < d.image->distance_to(beside);", "return c.way < d.way;",
+     "a point beside a cell without width may be in it", (LATTICES,)),
 ]

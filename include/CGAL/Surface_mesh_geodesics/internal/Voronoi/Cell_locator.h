@@ -242,8 +242,17 @@ private:
     using std::atan;
     const FT end = curve.angle_near(a.last);
     for(const FT& t : curve.side(way).positive_roots())
-      if(t < std::numeric_limits<FT>::infinity() && atan(t) <= end)
+      if(t < std::numeric_limits<FT>::infinity() && atan(t) <= end && crosses(curve, t, way))
         meet(curve.point(t), is_left_of_curve(curve, t));
+  }
+
+  // Returns whether the curve crosses the line at parameter t. One that only touches it stays on one side, up to the
+  // square of the angle.
+  bool crosses(const Weighted_bisector<FT>& curve, const FT& t, const Half_plane<FT>& line) const
+  {
+    using std::abs;
+    const Point u = curve.derivative(t);
+    return abs(FT(u.x * line.a + u.y * line.b)) > Tolerance<FT>::closeness() * norm(u.x, u.y);
   }
 
   // Returns whether the crossing c comes before d on the way from p. The two arcs beside a cell without width run along

@@ -253,27 +253,18 @@ private:
   }
 
   // Connects the first front that leads to the start of another one with the same sites, if there is one. Returns
-  // whether there is. A front along a ray comes last: where a ray ends at a breakpoint of another curve of the same two
-  // sites, that curve has to have it.
+  // whether there is.
   bool split(std::vector<Front>& fronts)
   {
-    std::size_t along_ray = none;
     for(std::size_t i = 0; i < fronts.size(); ++i)
     {
       const std::size_t j = other_end(fronts, i);
       if(j == none)
         continue;
-      if(!fronts[i].follows_ray())
-      {
-        split_at(fronts, i, j);
-        return true;
-      }
-      along_ray = (std::min)(along_ray, i);
+      split_at(fronts, i, j);
+      return true;
     }
-    if(along_ray == none)
-      return false;
-    split_at(fronts, along_ray, other_end(fronts, along_ray));
-    return true;
+    return false;
   }
 
   // Returns the front through whose start front i leads first, otherwise the closest one to where it leaves the face,
@@ -411,7 +402,8 @@ private:
   // --- one curve from end to end ---
 
   // Connects two fronts that are the ends of one curve. Traces toward a point of the border if there is one, since the
-  // border is a sure end; traces back if the trace misses it. The way back counts only if it arrives.
+  // border is a sure end; traces back if the trace misses it. The way back counts only if it arrives, or meets the
+  // trace.
   void connect(Front& f, Front& g)
   {
     if(starts_at_border(f) && !starts_at_border(g))
@@ -429,6 +421,8 @@ private:
     const bool is_touching = gap <= images_of_face().touching();
     if(!is_touching && trace_to(g, f) <= images_of_face().touching()) // the way back is the better one
       return finish(g, f.p, f.node);
+    if(!is_touching && meet_on_the_way(f, g))
+      return;
     if(f.stop == Stop::LOST || !(gap <= images_of_face().joining_distance()))
       ++m_division.number_of_joints;
     if(!is_touching && !completion().cut_at(f, g.p))
@@ -446,6 +440,37 @@ private:
     if(!(distance(f.end, g.p) <= images_of_face().touching()))
       completion().end_at(f, g.p);
     return distance(f.end, g.p);
+  }
+
+  // Connects the two ends of a curve where their traces have a point in common, if they have one. Both traces may miss
+  // the other end: where four cells meet in a point, a trace may go on between the wrong two, and where a cell ends in
+  // a point, none may turn. (Two ends that touch bound a cell without width, whose sides run along each other.)
+  // Requires: both have been traced.
+  bool meet_on_the_way(Front& f, Front& g)
+  {
+    const FT tolerance = images_of_face().touching();
+    if(distance(f.p, g.p) <= tolerance)
+      return false;
+    for(const Front* front : {&f, &g})
+      for(const Piece& piece : front->pieces)
+      {
+        const Point p = piece.end;
+        const std::size_t i = f.piece_to(p, tolerance), j = g.piece_to(p, tolerance);
+        if(i == none || j == none)
+          continue;
+        f.pieces.resize(i + 1);
+        g.pieces.resize(j + 1);
+        const std::size_t node = m_division.nodes.size();
+        m_division.nodes.push_back(Node{p, {f.left, f.right, null_id}, false});
+        for(Front* part : {&f, &g})
+        {
+          part->pieces.back().end = p;
+          part->stop = Stop::OUTSIDE;
+          finish(*part, p, node);
+        }
+        return true;
+      }
+    return false;
   }
 
   // The border is a sure end: a front that starts there has the node of a breakpoint.

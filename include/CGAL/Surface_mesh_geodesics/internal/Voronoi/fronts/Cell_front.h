@@ -97,24 +97,26 @@ struct Cell_front
     return nearest;
   }
 
+  // Returns the index of the first piece that ends at q or, along a ray, leads past q, within a tolerance; `none` if no
+  // piece does.
+  std::size_t piece_to(const Point& q, const FT& tolerance) const
+  {
+    Point from = p;
+    for(std::size_t i = 0; i < pieces.size(); ++i)
+    {
+      const Front_piece<FT>& piece = pieces[i];
+      const bool is_ray = Weighted_bisector<FT>(piece.left, piece.right, from).is_ray();
+      if((is_ray ? distance_from_segment(q, from, piece.end) : distance(q, piece.end)) <= tolerance)
+        return i;
+      from = piece.end;
+    }
+    return none;
+  }
+
   // Returns the distance of q from the nearest end of a piece, zero if a piece leads through q.
   FT distance_from(const Point& q) const
   {
     return piece_through(q) != none ? FT(0) : nearest_end(q).second;
-  }
-
-  // Returns whether a piece follows a ray. Beside a ray one site is nearer on both sides, so that the other one has a
-  // cell without width there: such a way may lead past the other end of the curve.
-  bool follows_ray() const
-  {
-    Point from = p;
-    for(const Front_piece<FT>& piece : pieces)
-    {
-      if(Weighted_bisector<FT>(piece.left, piece.right, from).is_ray())
-        return true;
-      from = piece.end;
-    }
-    return false;
   }
 
   // Returns the index of the piece that leads through v, up to rounding; `none` if no piece does. A piece leads through

@@ -337,10 +337,10 @@ private:
     switch(event.kind)
     {
     case Event::LEFT_CONE:
-      f.left_image = successor(f.left_image, f.right_image, f.end);
+      leave_cone(f, f.left_image, f.right_image);
       break;
     case Event::RIGHT_CONE:
-      f.right_image = successor(f.right_image, f.left_image, f.end);
+      leave_cone(f, f.right_image, f.left_image);
       break;
     case Event::NEARER:
       meet(f, event.index);
@@ -350,6 +350,32 @@ private:
     default:
       f.stop = Front_stop::OUTSIDE;
     }
+  }
+
+  // Lets f go over from image `current`, whose cone it leaves, to its successor. If there is none, and a third site is
+  // as near, f stops: sites that share a point tie behind it, where only one of them has kept its windows.
+  void leave_cone(Front& f, std::size_t& current, std::size_t other)
+  {
+    const std::size_t next = successor(current, other, f.end);
+    const std::size_t third = next < m_images.number() ? none : tied_third(f, image(next).point.distance_to(f.end));
+    if(third == none)
+      current = next;
+    else
+      meet(f, third);
+  }
+
+  // Returns the first image of a third site that sees the end of f from a distance, up to ties; `none` without one.
+  std::size_t tied_third(const Front& f, const FT& at_end) const
+  {
+    using std::abs;
+    for(std::size_t i = 0; i < m_images.number(); ++i)
+    {
+      const Image& g = m_images[i];
+      if(has_site(g.site) && is_third_site(f, i) && g.sees(f.end, m_images.width())
+         && abs(FT(g.point.distance_to(f.end) - at_end)) <= m_images.margin_of_tie(at_end))
+        return i;
+    }
+    return none;
   }
 
   // Returns whether an image belongs to neither of the two sites of f.

@@ -1,0 +1,196 @@
+// Diagrams of curves whose points are those of a lattice, on flat grids: curves share points and segments, cross and
+// continue each other, and run along the edges of the mesh. Cells end in points of the border of a face, have no width,
+// or meet four at a time; weights are often the distance of two ends, so that bisectors are rays. The distances from
+// segments in the plane tell which site is nearest.
+
+#include "Voronoi_test_helpers.h"
+#include "curve_cases.h"
+#include "curves_in_plane.h"
+
+#include <CGAL/Surface_mesh_geodesics/certify_geodesic_Voronoi_diagram.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+using namespace curve_cases;
+
+namespace {
+
+using Face = boost::graph_traits<Mesh>::face_descriptor;
+
+// What the cases of a run have in common. The lattice divides each edge of a face into this number of parts; with a
+// jitter, the vertices of the grid are not on a lattice themselves.
+struct Lattice
+{
+  std::size_t parts;
+  double jitter;
+  bool has_weights;
+  std::size_t most_points = 3; // of a curve
+};
+
+Point_2 point(const Mesh& tm, const Location& l)
+{
+  Point_2 p{0, 0};
+  std::size_t i = 0;
+  for(const vertex_descriptor v : vertices_around_face(prev(halfedge(l.first, tm), tm), tm))
+  {
+    p[0] += l.second[i] * tm.point(v).x();
+    p[1] += l.second[i] * tm.point(v).y();
+    ++i;
+  }
+  return p;
+}
+
+double distance_from(const Mesh& tm, const std::vector<Location>& curve, const Point_2& p)
+{
+  double smallest = distance_to_segment(p, point(tm, curve.front()), point(tm, curve.front()));
+  for(std::size_t i = 1; i < curve.size(); ++i)
+    smallest = std::min(smallest, distance_to_segment(p, point(tm, curve[i - 1]), point(tm, curve[i])));
+  return smallest;
+}
+
+// Sites on the grid, most of them in one face.
+struct Sites
+{
+  std::vector<std::vector<Location>> curves;
+  std::vector<double> weights;
+};
+
+Location lattice_point(Face f, std::size_t parts, test_support::Random& random)
+{
+  const std::size_t a = random.index(parts + 1), b = random.index(parts + 1 - a);
+  const double n = static_cast<double>(parts);
+  return Location(f, {static_cast<double>(a) / n, static_cast<double>(b) / n, static_cast<double>(parts - a - b) / n});
+}
+
+double lattice_weight(const Mesh& tm, const Lattice& lattice, const Sites& sites, std::size_t i,
+                      test_support::Random& random)
+{
+  const std::size_t kind = lattice.has_weights ? random.index(4) : 0;
+  if(kind == 0)
+    return 0;
+  if(kind == 1)
+    return static_cast<double>(random.index(4)) / static_cast<double>(lattice.parts);
+  const std::vector<Location>&first = sites.curves[0], &curve = sites.curves[i];
+  const Point_2 p = point(tm, first[random.index(first.size())]);
+  const Point_2 q = point(tm, curve[random.index(curve.size())]);
+  const double d = std::hypot(p[0] - q[0], p[1] - q[1]);
+  return kind == 2 ? d : -d;
+}
+
+Sites random_sites(const Mesh& tm, const Lattice& lattice, test_support::Random& random)
+{
+  Sites sites;
+  const std::size_t n = 2 + random.index(3), number_of_faces = num_faces(tm);
+  const Face shared(static_cast<Face::size_type>(random.index(number_of_faces)));
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    const Face f = random.index(3) != 0 ? shared : Face(static_cast<Face::size_type>(random.index(number_of_faces)));
+    std::vector<Location> curve;
+    for(std::size_t m = 1 + random.index(lattice.most_points); m > 0; --m)
+      curve.push_back(lattice_point(f, lattice.parts, random));
+    sites.curves.push_back(curve);
+  }
+  sites.weights.assign(n, 0.);
+  for(std::size_t i = 1; i < n; ++i)
+    sites.weights[i] = lattice_weight(tm, lattice, sites, i, random);
+  return sites;
+}
+
+// No site is nearer to a point than the one that the diagram names: at lattice points and at random ones, in all
+// faces.
+void check_nearest_sites(const Mesh& tm, const Sites& sites, const Voronoi& diagram, test_support::Random& random)
+{
+  const auto check = [&](const Location& l)
+  {
+    const Point_2 p = point(tm, l);
+    const auto distance = [&](std::size_t i) { return distance_from(tm, sites.curves[i], p) - sites.weights[i]; };
+    double smallest = std::numeric_limits<double>::infinity();
+    for(std::size_t i = 0; i < sites.curves.size(); ++i)
+      smallest = std::min(smallest, distance(i));
+    CHECK_NEAR(distance(diagram.nearest_site(l)), smallest, 1e-9);
+  };
+  for(const Face f : faces(tm))
+  {
+    for(int i = 0; i <= 8; ++i)
+      for(int j = 0; i + j <= 8; ++j)
+        check(Location(f, {i / 8., j / 8., (8 - i - j) / 8.}));
+    for(int i = 0; i < 20; ++i)
+    {
+      const double s = random.uniform(), t = random.uniform() * (1 - s);
+      check(Location(f, {1 - s - t, s, t}));
+    }
+  }
+}
+
+void check_case(const Lattice& lattice, std::uint64_t seed)
+{
+  const test_support::Scope scope("lattice of " + std::to_string(lattice.parts) + ", seed " + std::to_string(seed));
+  test_support::Random random(seed);
+  const std::size_t n = 3 + random.index(2);
+  const Mesh tm = to_face_graph(flat_patch(n, 3, lattice.jitter, true, seed % 7));
+  const Sites sites = random_sites(tm, lattice, random);
+  Voronoi diagram(tm);
+  for(std::size_t i = 0; i < sites.curves.size(); ++i)
+    diagram.add_site(Curve(tm, sites.curves[i]), sites.weights[i]);
+  check_nearest_sites(tm, sites, diagram, random);
+}
+
+void random_cases()
+{
+  for(const Lattice& lattice : {Lattice{4, 0., false}, Lattice{4, 0., true}, Lattice{8, 0., false},
+                                Lattice{4, .2, false}, Lattice{2, 0., true}, Lattice{4, 0., true, 1}})
+    for(std::uint64_t seed = 0; seed < 1000; ++seed)
+      check_case(lattice, seed);
+}
+
+// Cases that show what is rare among random ones: cells that end in a point, or have no width.
+void rare_cases()
+{
+  for(const unsigned int seed : {668u, 1787u, 4202u, 7247u, 10002u, 12449u, 13954u, 14416u, 15105u,
+                                 17195u, 17196u, 18859u})
+    check_case(Lattice{4, 0., false}, seed);
+  for(const unsigned int seed : {2176u, 2378u, 2479u, 6037u, 9178u, 9190u, 9783u, 10502u, 17885u})
+    check_case(Lattice{4, 0., true}, seed);
+  for(const unsigned int seed : {1547u, 1770u, 2176u, 2378u, 2479u, 4794u, 9178u, 9783u})
+    check_case(Lattice{4, 0., true, 1}, seed);
+  for(const unsigned int seed : {3242u, 8767u, 17266u})
+    check_case(Lattice{8, 0., false}, seed);
+  for(const unsigned int seed : {1704u, 3565u, 12860u})
+    check_case(Lattice{4, .2, false}, seed);
+  for(const unsigned int seed : {2176u, 2378u, 2479u, 3966u, 5198u, 9178u, 9783u, 9843u, 14134u, 18657u, 19453u})
+    check_case(Lattice{2, 0., true}, seed);
+}
+
+// A ray that ends at a breakpoint of another curve of the same two sites: the difference of the weights is the distance
+// of two ends, so that one site has a cell without width behind its end.
+void ray_to_a_breakpoint()
+{
+  const Mesh tm = to_face_graph(flat_patch(4, 4, 0., true, 1));
+  const auto at = [](double a, double b, double c) { return Location(Face(3), {a, b, c}); };
+  const Sites sites{{{at(0, 0, 1), at(0, 1, 0), at(.5, .25, .25)}, {at(0, 1, 0), at(.25, .5, .25)}}, {0., .25}};
+  Voronoi diagram(tm);
+  for(std::size_t i = 0; i < 2; ++i)
+    diagram.add_site(Curve(tm, sites.curves[i]), sites.weights[i]);
+  test_support::Random random(1);
+  for(int i = 0; i < 20; ++i)
+    check_nearest_sites(tm, sites, diagram, random);
+  CHECK(CGAL::Surface_mesh_geodesics::certify_geodesic_Voronoi_diagram(diagram).is_certified());
+}
+
+} // namespace
+
+int main()
+{
+  ray_to_a_breakpoint();
+  rare_cases();
+  random_cases();
+  return test_result();
+}
