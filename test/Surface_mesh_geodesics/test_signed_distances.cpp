@@ -83,6 +83,8 @@ void test_signs_in_plane()
   CHECK(separates(tm, {Curve(tm, across)}));
   open.insert(open.end(), open.rbegin() + 1, open.rend());
   CHECK(separates(tm, {Curve(tm, open)}));
+  for(const auto& entry : signed_distances(tm, {Curve(tm, location_in_plane(4.3, 5.1, tm))}))
+    CHECK(entry.second > 0);
   for(const auto& entry : signed_distances(tm, SMG::border_curves(tm)))
     CHECK(entry.second >= 0);
 }

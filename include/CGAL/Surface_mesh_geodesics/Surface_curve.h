@@ -219,9 +219,11 @@ public:
   /// \param parameter the part of the segment that lies before the point, from 0 to 1
   /// \return the face of the segment, and the coordinates of the point there: a weighted mean of those of its ends
   /// \pre the curve has a segment of that number: `segment < segments().size()`
+  /// \pre `0 <= parameter <= 1`
   Face_location location(std::size_t segment, double parameter) const
   {
     CGAL_precondition_msg(segment < m_segments.size(), "the curve has no segment of this number");
+    CGAL_precondition_msg(parameter >= 0 && parameter <= 1, "the parameter is not from 0 to 1");
     const Segment& s = m_segments[segment];
     Face_location result(s.face, Barycentric_coordinates{});
     for(std::size_t k = 0; k < 3; ++k)

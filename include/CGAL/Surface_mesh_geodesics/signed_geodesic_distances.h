@@ -32,8 +32,8 @@ nearest point of a curve, as `geodesic_distances()` computes it, negative on one
 
 Curves <em>separate</em> the surface if every way from one side of a curve to the other crosses a curve: closed
 curves around a region do, and so does an open one from border to border. The side changes where a curve is crossed, so
-that a region inside of a region is on the outer side again, and a part of a curve that is run along twice separates
-nothing.
+that a region inside of a region is on the outer side again. A point, and a part of a curve that is run along twice,
+have no sides: they separate nothing, and if there is nothing else, all distances are positive.
 
 The negative side is on the left of the first segment of the first curve, as seen on the outside of the surface; in each
 component without that segment, on the left of the first one there. A vertex on a curve has the distance 0. Vertices of

@@ -56,8 +56,8 @@ class Point_of_faces
 public:
   using Coordinates = std::array<double, 3>;
 
-  // A vertex gets some face around it, for a curve that is a single vertex; an isolated one has none.
-  // The point number `position` of a curve. Throws Invalid_geodesic_input.
+  // Reads the point number `position` of a curve. Throws Invalid_geodesic_input. A vertex gets some face around it,
+  // for a curve that is a single vertex; an isolated vertex has none.
   template <typename Location>
   Point_of_faces(const TriangleMesh& tm, const Location& location, std::size_t position)
   {
