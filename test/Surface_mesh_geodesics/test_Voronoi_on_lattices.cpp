@@ -9,7 +9,7 @@
 
 #include <CGAL/Surface_mesh_geodesics/certify_geodesic_Voronoi_diagram.h>
 
-#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/Polygon_mesh_processing/locate.h>
 
 #include <algorithm>
 #include <cmath>
@@ -37,15 +37,8 @@ struct Lattice
 
 Point_2 point(const Mesh& tm, const Location& l)
 {
-  Point_2 p{0, 0};
-  std::size_t i = 0;
-  for(const vertex_descriptor v : vertices_around_face(prev(halfedge(l.first, tm), tm), tm))
-  {
-    p[0] += l.second[i] * tm.point(v).x();
-    p[1] += l.second[i] * tm.point(v).y();
-    ++i;
-  }
-  return p;
+  const auto p = CGAL::Polygon_mesh_processing::construct_point(l, tm);
+  return {p.x(), p.y()};
 }
 
 double distance_from(const Mesh& tm, const std::vector<Location>& curve, const Point_2& p)
@@ -115,7 +108,7 @@ void check_nearest_sites(const Mesh& tm, const Sites& sites, const Voronoi& diag
     double smallest = std::numeric_limits<double>::infinity();
     for(std::size_t i = 0; i < sites.curves.size(); ++i)
       smallest = std::min(smallest, distance(i));
-    CHECK_NEAR(distance(diagram.nearest_site(l)), smallest, 1e-9);
+    CHECK_NEAR(distance(diagram.nearest_site(l)), smallest, 1e-12);
   };
   for(const Face f : faces(tm))
   {

@@ -209,6 +209,9 @@ void test_strange_curves()
 #if !defined(CGAL_NO_PRECONDITIONS) && !defined(CGAL_NDEBUG)
   CHECK(throws<CGAL::Precondition_exception>([&] { Curve(tm, v).location(0, 0); }));
   CHECK(throws<CGAL::Precondition_exception>([&] { Curve(tm, std::vector<Location>{inside, other}).location(1, 0); }));
+  for(const double parameter : {-.5, 1.5, std::numeric_limits<double>::quiet_NaN()})
+    CHECK(throws<CGAL::Precondition_exception>(
+      [&] { Curve(tm, std::vector<Location>{inside, other}).location(0, parameter); }));
 #endif
   CHECK(throws_reason(Invalid_geodesic_input::Reason::INVALID_CURVE,
                       [&] { Curve(tm, std::vector<Location>{inside, Location(g, {.2, .3, .5})}); }));

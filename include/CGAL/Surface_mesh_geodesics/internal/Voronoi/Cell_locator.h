@@ -246,8 +246,8 @@ private:
         meet(curve.point(t), is_left_of_curve(curve, t));
   }
 
-  // Returns whether the curve crosses the line at parameter t. One that only touches it stays on one side, up to the
-  // square of the angle.
+  // Returns whether the curve crosses the line that it meets at parameter t. A curve that only touches the line stays
+  // on one side of it.
   bool crosses(const Weighted_bisector<FT>& curve, const FT& t, const Half_plane<FT>& line) const
   {
     using std::abs;
@@ -255,8 +255,8 @@ private:
     return abs(FT(u.x * line.a + u.y * line.b)) > Tolerance<FT>::closeness() * norm(u.x, u.y);
   }
 
-  // Returns whether the crossing c comes before d on the way from p. The two arcs beside a cell without width run along
-  // each other: there the cell comes first whose image is nearer a bit toward p. (A tie keeps d.)
+  // Returns whether the crossing c comes before d on the way from p. The two arcs beside a cell without width are in
+  // one place: of their cells, the one comes first whose image is nearer to a point a bit closer to p. (A tie keeps d.)
   bool is_before(const Crossing& c, const Crossing& d, const Half_plane<FT>& way) const
   {
     using std::abs;

@@ -454,20 +454,16 @@ private:
     for(const Front* front : {&f, &g})
       for(const Piece& piece : front->pieces)
       {
-        const Point p = piece.end;
-        const std::size_t i = f.piece_to(p, tolerance), j = g.piece_to(p, tolerance);
+        const std::size_t i = f.piece_to(piece.end, tolerance), j = g.piece_to(piece.end, tolerance);
         if(i == none || j == none)
           continue;
-        f.pieces.resize(i + 1);
-        g.pieces.resize(j + 1);
+        const Point p = piece.end; // a copy, as pieces are dropped
         const std::size_t node = m_division.nodes.size();
         m_division.nodes.push_back(Node{p, {f.left, f.right, null_id}, false});
-        for(Front* part : {&f, &g})
-        {
-          part->pieces.back().end = p;
-          part->stop = Stop::OUTSIDE;
-          finish(*part, p, node);
-        }
+        completion().end_in_piece(f, i, p);
+        completion().end_in_piece(g, j, p);
+        finish(f, p, node);
+        finish(g, p, node);
         return true;
       }
     return false;

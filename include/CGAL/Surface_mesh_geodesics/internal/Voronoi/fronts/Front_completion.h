@@ -73,10 +73,16 @@ public:
     const std::size_t i = f.piece_through(v);
     if(i == Front::none || !(is_nearest_at(f, f.pieces[i].left, v) && is_nearest_at(f, f.pieces[i].right, v)))
       return false;
+    end_in_piece(f, i, v);
+    return true;
+  }
+
+  // Ends the front at v, a point of piece i. Drops the pieces behind that one.
+  void end_in_piece(Front& f, std::size_t i, const Point& v) const
+  {
     f.pieces.resize(i + 1);
     f.pieces.back().end = v;
     f.stop = Front_stop::OUTSIDE; // the way is known up to v, so that the front is not lost
-    return true;
   }
 
   // Lets a front that has not found its way to v go straight to it, from where it has been closest: drops the pieces

@@ -364,7 +364,8 @@ private:
       meet(f, third);
   }
 
-  // Returns the first image of a third site that sees the end of f from a distance, up to ties; `none` without one.
+  // Returns the first image of a third site that sees the end of f at the distance `at_end`, up to ties; `none` if no
+  // image does.
   std::size_t tied_third(const Front& f, const FT& at_end) const
   {
     using std::abs;
