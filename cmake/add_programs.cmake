@@ -104,7 +104,8 @@ function(surface_mesh_geodesics_add_program_group group uses_eigen uses_tbb)
 endfunction()
 
 # Adds a program for each source file, and notes the files for the checks that compile each of them alone. Programs are
-# grouped if Surface_mesh_geodesics_GROUP_PROGRAMS is on, `size` in a group, except those that define or undefine macros.
+# grouped if Surface_mesh_geodesics_GROUP_PROGRAMS is on, at most `size` in a group, except those that define or undefine
+# macros.
 function(surface_mesh_geodesics_add_programs group size)
   set_property(GLOBAL APPEND PROPERTY Surface_mesh_geodesics_PROGRAM_SOURCES ${ARGN})
   foreach(source IN LISTS ARGN)
@@ -127,7 +128,10 @@ function(surface_mesh_geodesics_add_programs group size)
     foreach(uses_tbb IN ITEMS ON OFF)
       set(sources ${sources_${uses_eigen}_${uses_tbb}})
       while(sources)
-        list(SUBLIST sources 0 ${size} part)
+        list(LENGTH sources left)
+        math(EXPR groups_left "(${left} + ${size} - 1) / ${size}")
+        math(EXPR share "(${left} + ${groups_left} - 1) / ${groups_left}") # groups take about the same time
+        list(SUBLIST sources 0 ${share} part)
         list(REMOVE_ITEM sources ${part})
         math(EXPR number "${number} + 1")
         surface_mesh_geodesics_add_program_group(${group}_${number} ${uses_eigen} ${uses_tbb} ${part})

@@ -194,6 +194,7 @@ CURVE_PATHS = "test_paths_from_curves"
 BORDER_CURVES = "test_border_curves"
 NEAREST_SITES = "test_nearest_sites"
 LATTICES = "test_Voronoi_on_lattices"
+POLYHEDRA = "test_Voronoi_on_polyhedra"
 PAIR_PATHS = "test_geodesic_path"
 BORDER_DIRECTIONS = "test_directions_at_borders"
 CURVES_OF_PATHS = "test_shortest_path_curve"
@@ -1332,4 +1333,10 @@ MUTANTS = [
     ("any_of_two_arcs_at_one_place", LOCATOR,
      "return c.image->distance_to(beside) < d.image->distance_to(beside);", "return c.way < d.way;",
      "a point beside a cell without width may be in it", (LATTICES,)),
+    ("bisector_along_edge_leaves", FRONT_EVENT,
+     "return to < m_event.t || h(m_curve->point(to)) >= -m_width;", "return false;",
+     "rounding leads a bisector along an edge out of the face", (POLYHEDRA,)),
+    ("edge_of_bisector_first", TRACER,
+     "for(const bool starts_on_side : {false, true})", "for(const bool starts_on_side : {true, false})",
+     "a bisector along an edge leaves it before another edge bounds it", (POLYHEDRA,)),
 ]

@@ -6,6 +6,7 @@
 #include "Voronoi_test_helpers.h"
 #include "curve_cases.h"
 #include "curves_in_plane.h"
+#include "lattice_curves.h"
 
 #include <CGAL/Surface_mesh_geodesics/certify_geodesic_Voronoi_diagram.h>
 
@@ -20,10 +21,9 @@
 #include <vector>
 
 using namespace curve_cases;
+using namespace lattice_curves;
 
 namespace {
-
-using Face = boost::graph_traits<Mesh>::face_descriptor;
 
 // What the cases of a run have in common. The lattice divides each edge of a face into this number of parts; with a
 // jitter, the vertices of the grid are not on a lattice themselves.
@@ -56,13 +56,6 @@ struct Sites
   std::vector<double> weights;
 };
 
-Location lattice_point(Face f, std::size_t parts, test_support::Random& random)
-{
-  const std::size_t a = random.index(parts + 1), b = random.index(parts + 1 - a);
-  const double n = static_cast<double>(parts);
-  return Location(f, {static_cast<double>(a) / n, static_cast<double>(b) / n, static_cast<double>(parts - a - b) / n});
-}
-
 double lattice_weight(const Mesh& tm, const Lattice& lattice, const Sites& sites, std::size_t i,
                       test_support::Random& random)
 {
@@ -80,25 +73,15 @@ double lattice_weight(const Mesh& tm, const Lattice& lattice, const Sites& sites
 
 Sites random_sites(const Mesh& tm, const Lattice& lattice, test_support::Random& random)
 {
-  Sites sites;
-  const std::size_t n = 2 + random.index(3), number_of_faces = num_faces(tm);
-  const Face shared(static_cast<Face::size_type>(random.index(number_of_faces)));
-  for(std::size_t i = 0; i < n; ++i)
-  {
-    const Face f = random.index(3) != 0 ? shared : Face(static_cast<Face::size_type>(random.index(number_of_faces)));
-    std::vector<Location> curve;
-    for(std::size_t m = 1 + random.index(lattice.most_points); m > 0; --m)
-      curve.push_back(lattice_point(f, lattice.parts, random));
-    sites.curves.push_back(curve);
-  }
+  Sites sites{random_curves(tm, lattice.parts, lattice.most_points, random), {}};
+  const std::size_t n = sites.curves.size();
   sites.weights.assign(n, 0.);
   for(std::size_t i = 1; i < n; ++i)
     sites.weights[i] = lattice_weight(tm, lattice, sites, i, random);
   return sites;
 }
 
-// No site is nearer to a point than the one that the diagram names: at lattice points and at random ones, in all
-// faces.
+// No site is nearer to a point than the one that the diagram names (for_each_query()).
 void check_nearest_sites(const Mesh& tm, const Sites& sites, const Voronoi& diagram, test_support::Random& random)
 {
   const auto check = [&](const Location& l)
@@ -110,17 +93,7 @@ void check_nearest_sites(const Mesh& tm, const Sites& sites, const Voronoi& diag
       smallest = std::min(smallest, distance(i));
     CHECK_NEAR(distance(diagram.nearest_site(l)), smallest, 1e-12);
   };
-  for(const Face f : faces(tm))
-  {
-    for(int i = 0; i <= 8; ++i)
-      for(int j = 0; i + j <= 8; ++j)
-        check(Location(f, {i / 8., j / 8., (8 - i - j) / 8.}));
-    for(int i = 0; i < 20; ++i)
-    {
-      const double s = random.uniform(), t = random.uniform() * (1 - s);
-      check(Location(f, {1 - s - t, s, t}));
-    }
-  }
+  for_each_query(tm, random, check);
 }
 
 void check_case(const Lattice& lattice, std::uint64_t seed)

@@ -8,6 +8,7 @@
 
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_Voronoi_diagram.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_path.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 
@@ -234,6 +235,14 @@ void messages_name_the_culprit()
     diagram.add_site(bad);
     CHECK(has(message_of([&] { diagram.build(); }), "site 1 is not a vertex of the mesh"));
   }
+  const std::vector<face_descriptor> avoided{face(0), face(num_faces(tm))};
+  CHECK(has(message_of(
+              [&]
+              {
+                CGAL::Surface_mesh_geodesics::geodesic_distance(tm, vertex(0), vertex(1),
+                                                                CGAL::parameters::faces_to_avoid(avoided));
+              }),
+            "the face to avoid 1 is not a face of the mesh"));
   for(const bool has_source : {false, true})
   {
     Geodesic_paths paths(tm);
@@ -244,6 +253,8 @@ void messages_name_the_culprit()
     CHECK(has(message_of([&] { paths.shortest_distance_to_source_points(no_vertex); }), "the query is not a vertex"));
     CHECK(has(message_of([&] { paths.shortest_distance_to_source_points(face(0), {.2, .3, .6}); }),
               "the query is not in its face"));
+    CHECK(has(message_of([&] { paths.shortest_distance_to_source_points(face(num_faces(tm)), {.2, .3, .5}); }),
+              "the query has a face that is not one of the mesh"));
   }
 }
 

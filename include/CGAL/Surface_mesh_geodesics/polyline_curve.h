@@ -71,7 +71,7 @@ locations in one face. As a source it takes time quadratic in their number then,
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tm the triangle mesh
-\param points the polyline. A single point makes a curve that is a point.
+\param points the polyline. A single point, or two equal ones, make an open curve that is a point.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`, `vertex_index_map`,
        `face_index_map`, `faces_to_avoid`, `edges_to_avoid` and `statistics`, with the types and defaults of
        `geodesic_distance()`. Points move to the nearest face that is not to be avoided. The statistics count all

@@ -218,7 +218,7 @@ public:
       if(h != null_id && m_table.faces[face_of(h)] == f)
         return h;
     }
-    reject_face(what, position);
+    reject_face_of_location(what, position);
   }
 
   // Returns the halfedge of the intrinsic mesh that is halfedge(f, tm). Requires: f is a face of the mesh as it was
@@ -482,7 +482,7 @@ public:
     if(f == Graph_traits::null_face())
       reject_null_face(what, position);
     if(!is_face_of(f, m_tm, m_fim))
-      reject_face(what, position);
+      reject_face_of_location(what, position);
     // Whether coordinates are valid does not depend on their order, so any halfedge will do.
     intrinsic_coordinates<FT>(halfedge_of(0, 0), b, what, position);
   }

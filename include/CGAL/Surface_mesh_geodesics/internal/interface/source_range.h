@@ -251,7 +251,20 @@ bool is_edge_of(typename boost::graph_traits<TriangleMesh>::edge_descriptor e, c
 [[noreturn]] inline void reject_face(const char* what, std::size_t position)
 {
   reject_descriptor(Invalid_geodesic_input::Reason::INVALID_DESCRIPTOR, what, position,
-                    " is not in a face of the mesh");
+                    " is not a face of the mesh");
+}
+
+// The same for the face of a location.
+[[noreturn]] inline void reject_face_of_location(const char* what, std::size_t position)
+{
+  reject_descriptor(Invalid_geodesic_input::Reason::INVALID_DESCRIPTOR, what, position,
+                    " has a face that is not one of the mesh");
+}
+
+// For functions that need a face to start in.
+[[noreturn]] inline void reject_vertex_without_face(const char* what, std::size_t position)
+{
+  reject_descriptor(Invalid_geodesic_input::Reason::INVALID_DESCRIPTOR, what, position, " is not in any face");
 }
 
 [[noreturn]] inline void reject_edge(const char* what, std::size_t position)

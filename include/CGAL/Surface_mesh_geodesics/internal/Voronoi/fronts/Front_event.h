@@ -100,8 +100,9 @@ public:
   // Finds the first parameter behind which the curve is outside of a half-plane. Requires: the values of h are signed
   // distances, since they are compared with lengths.
   //
-  // A curve that starts on the line may be outside by rounding, and so may be one that touches it. Therefore the curve
-  // is outside next to its start, or between two roots, only if it is so by more than `slack` or `width`.
+  // A curve that starts on the line may be outside by rounding, and so may be one that touches it or runs along it.
+  // Therefore a bounded part of the curve is outside only if it is so by more than `slack` next to its start, and by
+  // more than `width` farther on.
   //
   // The roots of the quadratic divide the curve up to the event into at most three intervals, on each of which it is on
   // one side of the line; the sign at the middle tells which. The event is the start of the first interval outside.
@@ -117,10 +118,9 @@ public:
       const FT to = i < 2 ? (std::min)(root[i], m_event.t) : m_event.t;
       if(from < to)
       {
-        const FT middle = to < std::numeric_limits<FT>::infinity() ? FT(from + (to - from) / 2)
-                                                                    : FT(2 * from + 1);
-        const bool may_be_rounding = !(from > 0) || (i == 1 && to < m_event.t);
-        if(q(middle) < 0 && (!may_be_rounding || h(m_curve->point(middle)) < -(from > 0 ? m_width : m_slack)))
+        const bool is_bounded = to < std::numeric_limits<FT>::infinity();
+        const FT middle = is_bounded ? FT(from + (to - from) / 2) : FT(2 * from + 1);
+        if(q(middle) < 0 && !is_outside_by_rounding(h, from, middle, to))
           return set(kind, from, index, h);
       }
       if(!(to < m_event.t))
@@ -195,6 +195,17 @@ private:
     m_event.t = t;
     m_event.index = index;
     m_event.line = line;
+  }
+
+  // Returns whether rounding may be what puts the part of the curve from `from` to `to`, with the given middle, outside
+  // of a half-plane. A part behind the last root leads away from the line, so that its end speaks as well.
+  bool is_outside_by_rounding(const Half_plane<FT>& h, const FT& from, const FT& middle, const FT& to) const
+  {
+    if(!(from > 0))
+      return h(m_curve->point(middle)) >= -m_slack;
+    if(!(to < std::numeric_limits<FT>::infinity()) || h(m_curve->point(middle)) < -m_width)
+      return false;
+    return to < m_event.t || h(m_curve->point(to)) >= -m_width;
   }
 
   // Returns false if g does not take over before the event; sets c otherwise. The cheap tests come first: distances

@@ -245,8 +245,7 @@ private:
   Event find_event(const Front& f, const Bisector& curve, const Half_plane<FT>* until, Event& at_border)
   {
     m_first.start(curve, m_images.width(), m_slack);
-    for(unsigned int k = 0; k < 3; ++k)
-      m_first.leave(m_images.sides()[k], Event::BORDER, k);
+    leave_face(curve);
     at_border = m_first.event();
     if(until != nullptr)
       m_first.enter_and_leave(*until);
@@ -255,6 +254,17 @@ private:
     m_first.find_reach();
     try_images(f);
     return m_first.event();
+  }
+
+  // Finds where a curve leaves the face. The sides that it starts on come last, as it may run along one of them: then
+  // rounding would decide where it leaves that side, unless another one bounds it first (First_event::leave()).
+  void leave_face(const Bisector& curve)
+  {
+    const std::array<Half_plane<FT>, 3>& side = m_images.sides();
+    for(const bool starts_on_side : {false, true})
+      for(unsigned int k = 0; k < 3; ++k)
+        if((side[k](curve.start()) <= m_images.width()) == starts_on_side)
+          m_first.leave(side[k], Event::BORDER, k);
   }
 
   // Tries which images take over. The images next to the current two come first: windows come nearly in the order of
@@ -492,8 +502,7 @@ private:
     if(!leads_on(curve, image_l, image_r))
       return 0;
     m_first.start(curve, curve.end(), m_images.width(), m_slack);
-    for(const Half_plane<FT>& side : m_images.sides())
-      m_first.leave(side, Event::BORDER, 0);
+    leave_face(curve);
     m_first.leave_cone(image_l, Event::LEFT_CONE);
     m_first.leave_cone(image_r, Event::LEFT_CONE);
     const Event& event = m_first.event();

@@ -72,7 +72,7 @@ Snapped_location<TriangleMesh> location_on_mesh(const TriangleMesh& tm, const Lo
     if(h != Graph_traits::null_halfedge() && is_border(h, tm)) // at the border, its neighbor has a face
       h = opposite(next(h, tm), tm);
     if(h == Graph_traits::null_halfedge() || is_border(h, tm))
-      reject_face(what, none);
+      reject_vertex_without_face(what, none);
     Barycentric<double> corner{0, 0, 0};
     unsigned int k = 1; // that of the target of the first halfedge
     for(auto g = halfedge(face(h, tm), tm); g != h; g = next(g, tm))
@@ -86,7 +86,7 @@ Snapped_location<TriangleMesh> location_on_mesh(const TriangleMesh& tm, const Lo
     if(f == Graph_traits::null_face())
       reject_null_face(what, none);
     if(Removed_elements<TriangleMesh>::contain(f, tm))
-      reject_face(what, none);
+      reject_face_of_location(what, none);
     Barycentric<double> b = intrinsic_coordinates<double>(halfedge_of(0, 0), location.second, what, none);
     snap_coordinates(b);
     return {f, b};
