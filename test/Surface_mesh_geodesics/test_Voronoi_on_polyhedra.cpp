@@ -1,6 +1,6 @@
 // Diagrams of curves whose points are those of a lattice, on closed polyhedra and other meshes with few faces:
-// bisectors run along edges, and cells of one curve meet behind the polyhedron. The class for paths tells the distances from
-// each curve alone.
+// bisectors run along edges, and cells of one curve meet behind the polyhedron. The class for paths tells the distances
+// from each curve alone.
 
 #include "Voronoi_test_helpers.h"
 #include "curve_cases.h"
