@@ -9,8 +9,8 @@ Usage: check_figures.py                   checks
 
 A table follows the line `<!-- table: NAME -->`; a figure in a sentence follows the comment `<!-- figure: NAME -->`.
 measured_figures.py computes both. The check complains about a table or a figure that differs from the results, an
-unknown name, a table with numbers that has no mark, and results or figures that no document uses. In Markdown, a mark
-of a figure must not begin a line, because a comment there ends the paragraph.
+unknown name, a table with numbers that has no mark, a table with text right below, and results or figures that no
+document uses. In Markdown, a mark of a figure must not begin a line, because a comment there ends the paragraph.
 """
 
 import pathlib
@@ -88,6 +88,9 @@ def check_tables(name, text, tables, results, complaints):
                 complaints.append(f"{name}:{begin + k + 1}: table {mark.group(1)}\n  says     {found}\n"
                                   f"  measured {row}")
         output += [lines[i], ""] + wanted
+        if end < len(lines) and lines[end] != "": # the text would become a row of the table
+            complaints.append(f"{name}:{end + 1}: no empty line below the table {mark.group(1)}")
+            output.append("")
         i = end
     return "\n".join(output)
 
@@ -180,6 +183,7 @@ FAULTS = {
     "another number": (("cow | 1.2", "cow | 1.1"), "says     | cow | 1.1 |", True),
     "a line too few": (("| pig | 3.0 |\n", ""), "says     no line", True),
     "a line too many": (("| pig | 3.0 |\n", "| pig | 3.0 |\n| cat | 9.9 |\n"), "measured no line", True),
+    "text below": (("3.0 |\n\nOn", "3.0 |\nOn"), "no empty line", True),
     "another figure": (("-->1.2", "-->1.3"), "says 1.3, measured 1.2", True),
     "no number": (("-->1.2,", "-->"), "says None, measured 1.2", True),
     "a mark at the beginning of a line": (("takes <!--", "takes\n<!--"), "begins a line", False),

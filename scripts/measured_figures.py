@@ -19,11 +19,10 @@ CSV_FILES = {
     "standard_meshes": "against_shortest_path.csv", "all_meshes": "against_shortest_path_all.csv",
     "paths": "paths_against_shortest_path.csv", "heat_method": "against_heat_method.csv",
     "Voronoi_diagram": "voronoi.csv"} | {name: name + ".csv" for name in (
-    "face_queries", "isolines", "certified_meshes", "growth", "anisotropy", "sources", "reach", "rules", "instruction_sets",
-    "schedulers",
-    "flat_vertices", "threads", "phases", "matrix", "matrix_store", "rows", "interleaved_rows",
-    "brain", "uses_of_diagrams", "python", "compile_times",
-    "remeshing")}
+    "face_queries", "isolines", "curves", "directions", "obstacles", "certified_meshes", "growth", "anisotropy",
+    "sources", "reach", "rules", "instruction_sets", "schedulers", "flat_vertices", "threads", "phases", "matrix",
+    "matrix_store", "rows", "interleaved_rows", "brain", "uses_of_diagrams", "python", "compile_times", "remeshing",
+    "ordinary_case")}
 
 # The picture in the manual -> the results that it shows; draw_plots.py draws it.
 PLOTS = {"plot_ratios.svg": "all_meshes", "plot_growth.svg": "growth"}
@@ -230,6 +229,8 @@ TABLES = {
         "filtered graph, ms: filtered_ms .1", "mesh of the rest, ms: rest_ms .1",
         "empty range / no obstacles: none_ratio .2", "faces to avoid / rest: avoided_ratio .2",
         "filtered graph / rest: filtered_ratio .2"),
+    "ordinary_case": table("ordinary_case", MESH, FACES, "before, ms: before_ms .1", "now, ms: now_ms .1",
+        "now / before: time_ratio .2", "instructions now / before: instructions_ratio .3", "same bits: same_bits $"),
     "Voronoi_diagram": table("Voronoi_diagram", MESH, FACES, "sites: sites", "distances, ms: distances_ms",
         "windows all kept, ms: all_kept_ms", "removal, ms: removal_ms", "diagram, ms: diagram_ms",
         "diagram / distances: diagram_over_distances .1", "windows kept: windows_kept", "at once: windows_at_once",

@@ -1,0 +1,57 @@
+// Distances of all vertices from vertex 0 by geodesic_distances(), and nothing else. Prints the number of faces, the
+// median of the processor times of the calls in milliseconds, and a hash of the bits of all distances. It compiles with
+// older versions of the headers: compare_revisions.sh compares two of them.
+
+#include "runs_in_process.h"
+
+#include <CGAL/Surface_mesh_geodesics/geodesic_distances.h>
+
+#include <cstdint>
+#include <cstring>
+
+namespace {
+
+// FNV-1a, over the bytes of the distances in the order of the vertices.
+std::uint64_t hash_of_bits(const std::vector<double>& distances)
+{
+  std::uint64_t hash = 14695981039346656037u;
+  for(const double d : distances)
+  {
+    std::uint64_t bits;
+    std::memcpy(&bits, &d, sizeof(bits));
+    for(unsigned int i = 0; i < 8; ++i)
+    {
+      hash = (hash ^ ((bits >> (8 * i)) & 255u)) * 1099511628211u;
+    }
+  }
+  return hash;
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  Settings settings;
+  if(!read_settings(argc, argv, settings, [](const std::string&, const std::string&) { return false; }))
+  {
+    std::cerr << "usage: " << argv[0] << " [options] MESH\n";
+    print_common_usage();
+    return EXIT_FAILURE;
+  }
+  Benchmark_mesh mesh;
+  if(read_wanted_mesh(settings, mesh) != 0)
+  {
+    std::cerr << "no triangle mesh: " << settings.meshes.front() << '\n';
+    return EXIT_FAILURE;
+  }
+  auto distance = mesh.add_property_map<Benchmark_vertex, double>("v:distance").first;
+  const Spread ms = repeated(settings, CLOCK_PROCESS_CPUTIME_ID,
+                             [&] { CGAL::Surface_mesh_geodesics::geodesic_distances(mesh, distance, Benchmark_vertex(0)); });
+  std::vector<double> distances;
+  for(const Benchmark_vertex v : mesh.vertices())
+  {
+    distances.push_back(distance[v]);
+  }
+  std::cout << mesh.number_of_faces() << ' ' << cell(ms.middle, 3) << ' ' << hash_of_bits(distances) << std::endl;
+  return EXIT_SUCCESS;
+}
