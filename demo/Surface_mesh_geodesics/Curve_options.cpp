@@ -62,7 +62,7 @@ void declare_curves(Option_descriptions& options, const std::string& role)
      "the curves in a file: the lines of an .obj, or a .polylines.txt; the points move to the surface, and shortest "
      "paths join them");
   if(options.find_nothrow("snap", false) == nullptr)
-    options.add_options()("snap", "points may be farther from the surface than 1 % of the extent of the mesh");
+    options.add_options()("snap", "points may be farther from the surface than 1 % of the diagonal of the mesh");
 }
 
 bool are_curves_given(const Arguments& arguments, const std::string& role)

@@ -230,7 +230,7 @@ void Location_options::declare(Option_descriptions& options) const
          [option = "--" + point](const Texts& values) { check_points(values, option); }),
        "the location on the surface that is nearest to a point");
   if(!are_vertices && options.find_nothrow("snap", false) == nullptr) // the roles of a command share it
-    options.add_options()("snap", "points may be farther from the surface than 1 % of the extent of the mesh");
+    options.add_options()("snap", "points may be farther from the surface than 1 % of the diagonal of the mesh");
   options.add_options()
     (file.c_str(), po::value<Texts>()->value_name("FILE")->composing(),
      are_vertices ? "a file with one vertex index per line, or a table of this program"

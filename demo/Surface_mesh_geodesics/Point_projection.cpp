@@ -11,8 +11,8 @@ namespace geodesics_demo {
 
 namespace {
 
-// "1.41 % of the extent of the mesh", as the limit is told; "2.12 times the extent of the mesh" if it is more.
-std::string part_of_extent(double part)
+// "1.41 % of the diagonal of the mesh", as the limit is told; "2.12 times the diagonal of the mesh" if it is more.
+std::string part_of_diagonal(double part)
 {
   std::ostringstream text;
   text.precision(3);
@@ -20,7 +20,7 @@ std::string part_of_extent(double part)
     text << 100 * part << " %";
   else
     text << part << " times";
-  return text.str() + (part < 1 ? " of the extent of the mesh" : " the extent of the mesh");
+  return text.str() + (part < 1 ? " of the diagonal of the mesh" : " the diagonal of the mesh");
 }
 
 } // namespace
@@ -42,7 +42,7 @@ void Point_projection::remark_on_snaps() const
   if(!(m_farthest_snap > largest_silent_snap))
     return;
   std::ostringstream text;
-  text << m_where_farthest << ": the point was moved to " << goal() << ", by " << part_of_extent(m_farthest_snap);
+  text << m_where_farthest << ": the point was moved to " << goal() << ", by " << part_of_diagonal(m_farthest_snap);
   if(m_number_of_snaps > 1)
     text << "; the farthest of " << m_number_of_snaps << " points";
   m_console.note(text.str());
@@ -61,7 +61,7 @@ void Point_projection::build_tree(const std::string& where, Exit_code code)
 void Point_projection::check_is_near(const std::array<double, 3>& x, const std::string& where, Exit_code code)
 {
   if(m_limit < 0)
-    m_limit = 1e6 * extent(m_mesh);
+    m_limit = 1e6 * diagonal(m_mesh);
   const Point p = m_mesh.point(*m_mesh.vertices().begin());
   for(int k = 0; k < 3 && m_limit > 0; ++k)
     if(!(std::abs(x[static_cast<std::size_t>(k)] - p[k]) <= m_limit))
@@ -72,14 +72,14 @@ void Point_projection::check_is_near(const std::array<double, 3>& x, const std::
 void Point_projection::check_snap(const Point& p, const Face_location& location, const std::string& where,
                                   Exit_code code)
 {
-  if(m_extent < 0)
-    m_extent = extent(m_mesh);
+  if(m_diagonal < 0)
+    m_diagonal = diagonal(m_mesh);
   const auto v = p - point_of(location, m_mesh);
-  const double distance = std::hypot(v.x(), v.y(), v.z()), part = m_extent > 0 ? distance / m_extent : 0;
+  const double distance = std::hypot(v.x(), v.y(), v.z()), part = m_diagonal > 0 ? distance / m_diagonal : 0;
   if(part > largest_snap && !m_may_snap)
   {
     std::ostringstream text;
-    text << where << ": the point is " << distance << " from " << goal() << ", " << part_of_extent(part)
+    text << where << ": the point is " << distance << " from " << goal() << ", " << part_of_diagonal(part)
          << "; --snap moves it to " << goal() << " all the same";
     throw Command_error(code, text.str());
   }

@@ -38,7 +38,7 @@ private:
   void check_is_near(const std::array<double, 3>& x, const std::string& where, Exit_code code);
   void check_snap(const Point& p, const Face_location& location, const std::string& where, Exit_code code);
 
-  // Parts of the extent of the mesh. Points with five digits are silent.
+  // Parts of the diagonal of the mesh. Points with five digits are silent.
   static constexpr double largest_silent_snap = 1e-4, largest_snap = 0.01;
 
   const Mesh& m_mesh;
@@ -46,7 +46,7 @@ private:
   const Console& m_console;
   std::vector<Face> m_avoided;
   std::size_t m_number_of_snaps = 0;
-  double m_farthest_snap = 0, m_extent = -1; // negative until it is computed
+  double m_farthest_snap = 0, m_diagonal = -1; // negative until it is computed
   std::string m_where_farthest;
   double m_limit = -1; // of the distances of points; negative until it is computed
   std::unique_ptr<Face_tree> m_tree;

@@ -169,7 +169,7 @@ Mesh read_mesh(const Arguments& arguments, const Console& console)
   return mesh_of_polygons(file_name, soup, console);
 }
 
-double extent(const Mesh& mesh)
+double diagonal(const Mesh& mesh)
 {
   const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
   return std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());

@@ -39,7 +39,7 @@ std::string counted_vertices(std::size_t n);
 std::string counted_faces(std::size_t n);
 
 // The length of the diagonal of the bounding box.
-double extent(const Mesh& mesh);
+double diagonal(const Mesh& mesh);
 
 } // namespace geodesics_demo
 

@@ -187,11 +187,11 @@ void run(const Arguments& arguments, const Console& console)
     mesh = mesh_without(mesh, avoided);
   const double distance = (std::max)(distance_from(mesh, Face_tree(coarse), coarse),
                                      distance_from(coarse, Face_tree(mesh), mesh));
-  if(distance <= 1e-12 * extent(mesh))
+  if(distance <= 1e-12 * diagonal(mesh))
     return console.note("the two surfaces are the same, up to rounding, at vertices and centers of faces");
   console.note("the two surfaces are at most " + short_number(distance) + " apart, "
-               + short_number(100 * distance / extent(mesh))
-               + " % of the extent, measured at vertices and centers of faces");
+               + short_number(100 * distance / diagonal(mesh))
+               + " % of the diagonal of the mesh, measured at vertices and centers of faces");
 }
 
 } // namespace

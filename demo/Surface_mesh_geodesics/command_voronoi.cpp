@@ -338,7 +338,7 @@ Html_page page_of(const std::string& file_name, const Mesh& mesh, const Sites& s
 // The number of points of a curve grows with the square root of 1 / tolerance: the limit prevents huge files.
 double tolerance_of(const Arguments& arguments, const Mesh& mesh)
 {
-  const double size = extent(mesh), smallest = 1e-9 * size, usual = 1e-4 * size;
+  const double size = diagonal(mesh), smallest = 1e-9 * size, usual = 1e-4 * size;
   const double result
     = positive_argument_or(arguments, "tolerance", usual > 0 ? usual : 1); // a mesh of size zero accepts any tolerance
   if(result < smallest)

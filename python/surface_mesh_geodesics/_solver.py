@@ -26,7 +26,7 @@ class Solver:
     The mesh is copied; the arrays are never changed. It may have borders, holes, handles, several components and
     isolated vertices, but an edge has at most two faces, of the same orientation, and two closed surfaces must not
     share a vertex. All calls raise ValueError or IndexError, with the argument, the element and the rule, if an
-    argument is wrong. `threads` says how many threads a call may take; without this argument, it takes one.
+    argument is wrong. `threads` says how many threads a call may take; None stands for all.
 
     >>> import surface_mesh_geodesics as smg
     >>> smg.Solver([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])

@@ -165,7 +165,7 @@ class Voronoi:
         """Returns the curves around the cell of a site, as arrays of shape (k, 3): the points of boundary_polylines().
 
         A closed curve ends with its first point. Segments differ from the curves by at most `tolerance`, by default a
-        thousandth of the extent of the mesh, at least a millionth. Curves end at the border of the mesh; with
+        thousandth of the diagonal of the mesh, at least a millionth. Curves end at the border of the mesh; with
         `along_border` they go on along it, and are all closed.
 
         >>> import surface_mesh_geodesics as smg
@@ -231,7 +231,7 @@ class Voronoi:
             return self._extent / 1000 if self._extent > 0 else 1.0
         # A smaller one gives millions of points.
         least = 1e-6 * self._extent
-        return arguments.length_of("tolerance", tolerance, least, f"at least {least:g}, a millionth of the extent")
+        return arguments.length_of("tolerance", tolerance, least, f"at least {least:g}, a millionth of the diagonal")
 
     def _needs_points(self, name: str) -> None:
         if not self._has_points:

@@ -70,7 +70,7 @@ is_near "$(column around.csv distance | line /dev/stdin 6)" 0 # around two corne
 is_near "$(column around.csv distance | line /dev/stdin 10)" 0
 # Points above the square in the middle do not move into it, but to its rim: the second one to the side y = 1/3.
 printf '# a curve\n2 0.1 0.4 0 0.5 0.34 0\n' > into.polylines.txt
-remarks "into.polylines.txt, line 2: the point was moved to the faces that are not avoided, by 0.471 % of the extent" \
+remarks "into.polylines.txt, line 2: the point was moved to the faces that are not avoided, by 0.471 % of the diagonal" \
   distances "$grid" --source-curve into.polylines.txt --avoid middle.txt
 is_near "$(column remarks.out distance | line /dev/stdin 6)" 0 # the path leads along the rim
 is_near "$(column remarks.out distance | line /dev/stdin 10)" "$(awk 'BEGIN { printf "%.17g", 2 / 3 - .5 }')"
@@ -78,7 +78,7 @@ printf 'v .1 .4 0\nv .5 .4 0\nv .1 .1 0\nl 3 1 2\n' > inside.obj
 goal="the faces that are not avoided"
 for call in "distances --source" "check --source" "voronoi --site" "sample --number 3 --first"; do
   # shellcheck disable=SC2086 # the options are words
-  rejects 3 "inside.obj, line 2: the point is 0.0666667 from $goal, 4.71 % of the extent of the mesh; --snap moves it to \
+  rejects 3 "inside.obj, line 2: the point is 0.0666667 from $goal, 4.71 % of the diagonal of the mesh; --snap moves it to \
 $goal all the same" ${call%% *} "$grid" ${call#* }-curve inside.obj --avoid middle.txt
 done
 remarks "inside.obj, line 2: the point was moved to $goal, by 4.71 %" \
@@ -150,13 +150,13 @@ rejects 2 "--signed needs curves: --source-border or --source-curve" distances "
 
 # Points away from the surface, as for other points.
 printf '2 0.1 0.2 0.001 0.9 0.2 -0.005\n' > high.polylines.txt
-remarks "high.polylines.txt, line 1: the point was moved to the surface, by 0.354 % of the extent of the mesh; \
+remarks "high.polylines.txt, line 1: the point was moved to the surface, by 0.354 % of the diagonal of the mesh; \
 the farthest of 2 points" distances "$grid" --source-curve high.polylines.txt
 cmp remarks.out segment.csv
 printf 'v 0.1 0.2 0\nv 0.9 0.2 1\nl 1 2\n' > far.obj
-rejects 3 "far.obj, line 2: the point is 1 from the surface, 70.7 % of the extent of the mesh; --snap" \
+rejects 3 "far.obj, line 2: the point is 1 from the surface, 70.7 % of the diagonal of the mesh; --snap" \
   distances "$grid" --source-curve far.obj
-remarks "far.obj, line 2: the point was moved to the surface, by 70.7 % of the extent of the mesh; the farthest of 2 points" \
+remarks "far.obj, line 2: the point was moved to the surface, by 70.7 % of the diagonal of the mesh; the farthest of 2 points" \
   distances "$grid" --source-curve far.obj --snap
 cmp remarks.out segment.csv
 

@@ -26,7 +26,7 @@ is_near "$(column several.csv distance | line /dev/stdin 6)" 0.23570226039551584
 equals "$(column several.csv source | line /dev/stdin 6)" 1
 is_near "$(column several.csv distance | line /dev/stdin 15)" 0
 equals "$(column several.csv source | line /dev/stdin 15)" 4
-remarks "--source-point -3,0,0: the point was moved to the surface, by 2.12 times the extent of the mesh" \
+remarks "--source-point -3,0,0: the point was moved to the surface, by 2.12 times the diagonal of the mesh" \
   distances "$grid" --source-point -3,0,0 --snap -o negative.csv
 cmp <(cut -d, -f1,2 table.csv) <(cut -d, -f1,2 negative.csv)
 
@@ -112,12 +112,12 @@ rejects 2 "three finite numbers" distances "$grid" --source-point nan,0,0
 rejects 2 "--source-point 0,1e7,0: the distance of the point from the mesh is more than a million times the size" \
   distances "$grid" --source-point 0,1e7,0
 rejects 2 "more than a million times" distances "$grid" --source-point -1e308,1e308,1e308 --snap
-rejects 2 "--source-point 0,0,0.02: the point is 0.02 from the surface, 1.41 % of the extent of the mesh; --snap" \
+rejects 2 "--source-point 0,0,0.02: the point is 0.02 from the surface, 1.41 % of the diagonal of the mesh; --snap" \
   distances "$grid" --source-point 0,0,0.02
 is_silent distances "$grid" --source-point 0,0,0.0001 > near_point.csv
-remarks "--source-point 0,0,0.01: the point was moved to the surface, by 0.707 % of the extent of the mesh" \
+remarks "--source-point 0,0,0.01: the point was moved to the surface, by 0.707 % of the diagonal of the mesh" \
   distances "$grid" --source-point 0,0,0.01
-remarks "by 7.07e+05 times the extent of the mesh" distances "$grid" --source-point -1e6,0,0 --snap -o far.csv
+remarks "by 7.07e+05 times the diagonal of the mesh" distances "$grid" --source-point -1e6,0,0 --snap -o far.csv
 cmp <(cut -d, -f1,2 table.csv) <(cut -d, -f1,2 far.csv)
 equals "$(line far.csv 1)" vertex,distance,source,source_vertex,source_face,source_b0,source_b1,source_b2
 rejects 2 "only 16 vertices" distances "$grid" --source-random 17
