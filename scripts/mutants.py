@@ -137,6 +137,7 @@ STORE_ROWS = INTERNAL + "applications/matrix_store/Store_computation.h"
 STORED_MATRIX = INTERNAL + "applications/matrix_store/Stored_matrix.h"
 STORE_MATRIX = INTERNAL + "applications/matrix_store/store_matrix.h"
 STORE_CHECK = INTERNAL + "applications/matrix_store/check_stored_matrix.h"
+TRACING_FUNCTIONS = INTERNAL + "interface/tracing/tracing_functions.h"
 STORE_INPUT = INTERNAL + "applications/matrix_store/Store_input.h"
 
 WINDOWS = "test_window_pruning"
@@ -1339,4 +1340,18 @@ MUTANTS = [
     ("edge_of_bisector_first", TRACER,
      "for(const bool starts_on_side : {false, true})", "for(const bool starts_on_side : {true, false})",
      "a bisector along an edge leaves it before another edge bounds it", (POLYHEDRA,)),
+    ("vectors_within_a_full_turn", TRACING_FUNCTIONS,
+     "return 0 <= at_vertex && at_vertex <= fan.total_angle() ? at_vertex", "return false ? at_vertex",
+     "vectors beyond a full turn at a border get the direction of another face", (BORDER_DIRECTIONS,)),
+    ("no_face_for_an_avoided_one", SURFACE_SOURCES,
+     "if(first == null_id || !find_direction_in_face(d, first, result))",
+     "if(first != null_id && !find_direction_in_face(d, first, result))",
+     "directions at a source in a face to avoid are all 0", (BORDER_DIRECTIONS,)),
+    ("canceled_remeshing_goes_on", REMESHING,
+     "    if(visitor.is_canceled())\n      return Report();\n    auto diagram", "    auto diagram",
+     "a canceled remeshing writes its mesh", ("test_geodesic_remeshing",)),
+    ("coordinates_of_float_as_they_are", STORE_INPUT,
+     "for(const double x : coordinates_in_double(b[0], b[1], b[2]))",
+     "for(const double x : {CGAL::to_double(b[0]), CGAL::to_double(b[1]), CGAL::to_double(b[2])})",
+     "the check of a stored matrix rejects sources with coordinates of float", ("test_distance_matrix_store",)),
 ]

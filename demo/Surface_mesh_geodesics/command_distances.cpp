@@ -43,8 +43,8 @@ void declare(Option_descriptions& options)
     ("signed", "negative distances on the left of the first curve; the curves have to separate the surface")
     ("radius", positive_value("radius")->value_name("R"), "only distances up to R")
     ("isolines", count_value("isolines", 0, largest_number_of_isolines)->value_name("N"),
-     "isolines at about N distances in files of --lines and pages, at multiples of a round distance up to the largest one "
-     "(at most 1000; default: 20)")
+     "isolines at about N distances in files of --lines and pages, at multiples of a round distance up to the largest "
+     "one (at most 1000; default: 20)")
     ("spacing", positive_value("spacing")->value_name("D"),
      "isolines at the distances D, 2 D, 3 D, ... instead; at most 1000")
     ("lines", boost::program_options::value<std::vector<std::string>>()->value_name("FILE")->composing(),

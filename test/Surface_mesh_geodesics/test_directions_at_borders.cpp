@@ -1,6 +1,6 @@
 // Directions at sources that are vertices of a border or of a rim: angles from the first edge, also where faces have
 // been removed or are avoided, and where the angle of all faces exceeds a full circle. Tracing in the direction of a
-// straight path leads back to its end.
+// straight path leads back to its end. Sources on edges of a rim and on walls, and directions of vectors there.
 
 #include "faces_to_avoid.h"
 #include "test_meshes.h"
@@ -41,11 +41,12 @@ struct Vertices_of_path
   void operator()(face_descriptor, const Paths::Barycentric_coordinates&) {}
 };
 
-bool is_straight(const Paths& paths, vertex_descriptor v)
+// Does a path pass no vertex but its ends? `number_of_ends` says how many of them are vertices.
+bool is_straight(const Paths& paths, vertex_descriptor v, std::size_t number_of_ends)
 {
   Vertices_of_path passed;
   paths.shortest_path_sequence_to_source_points(v, passed);
-  return passed.number <= 2;
+  return passed.number <= number_of_ends;
 }
 
 // Traces to all vertices to which straight paths lead from v. Returns their number.
@@ -60,7 +61,7 @@ std::size_t check_source(const Mesh& tm, vertex_descriptor v, const Avoided& avo
   for(const vertex_descriptor u : vertices(tm))
   {
     const double d = paths.shortest_distance_to_source_points(u).first;
-    if(u == v || d < 0 || !is_straight(paths, u))
+    if(u == v || d < 0 || !is_straight(paths, u, 2))
       continue;
     const double direction = paths.direction_at_source(u);
     CHECK(direction >= 0);
@@ -152,11 +153,130 @@ void random_holes()
   CHECK(n > 1000);
 }
 
+double distance_to(const Mesh& tm, vertex_descriptor u, const std::array<double, 3>& p)
+{
+  return std::sqrt(CGAL::squared_distance(tm.point(u), Kernel::Point_3(p[0], p[1], p[2])));
+}
+
+// Calls visit(u, direction, distance) for all vertices to which straight paths lead.
+template <typename Visit>
+void for_each_straight_path(const Mesh& tm, const Paths& paths, Visit visit)
+{
+  for(const vertex_descriptor u : vertices(tm))
+  {
+    const double d = paths.shortest_distance_to_source_points(u).first;
+    if(d > 0 && is_straight(paths, u, 1))
+      visit(u, paths.direction_at_source(u), d);
+  }
+}
+
+// The point of side k of a face.
+Face_location on_side(face_descriptor f, std::size_t k)
+{
+  Face_location l(f, {0, 0, 0});
+  l.second[k] = .4;
+  l.second[(k + 1) % 3] = .6;
+  return l;
+}
+
+// A source on an edge at the rim may be given in the face to avoid. Tracing takes it there as well.
+void sources_on_rims()
+{
+  const test_support::Scope scope("rims");
+  std::size_t n = 0;
+  const Mesh tm = to_face_graph(noisy_sphere(1, .3, 2));
+  for(const face_descriptor f : faces(tm))
+    for(std::size_t k = 0; k < 3; ++k)
+    {
+      const Face_location source = on_side(f, k);
+      const Avoided avoided{f};
+      Paths paths(tm);
+      paths.avoid_faces(avoided);
+      paths.add_source_point(source.first, source.second);
+      for_each_straight_path(tm, paths, [&](vertex_descriptor u, double direction, double d)
+      {
+        const auto traced = SMG::trace_geodesic(tm, source, direction, d, np::faces_to_avoid(avoided));
+        CHECK_NEAR(distance_to(tm, u, traced.points.back()), 0., 1e-9);
+        ++n;
+      });
+    }
+  CHECK(n > 1000);
+}
+
+// A source on a wall: directions are those of its location in the face into which the path leaves.
+void sources_on_walls()
+{
+  const test_support::Scope scope("walls");
+  const Mesh tm = to_face_graph(noisy_sphere(1, .3, 2));
+  for(const face_descriptor f : faces(tm))
+    for(std::size_t k = 0; k < 3; ++k)
+    {
+      const Face_location source = on_side(f, k);
+      auto h = halfedge(f, tm);
+      for(std::size_t i = 0; i < k; ++i)
+        h = next(h, tm);
+      const auto o = opposite(h, tm);
+      Face_location across(face(o, tm), {0, 0, 0});
+      auto g = halfedge(across.first, tm);
+      for(std::size_t i = 0; i < 3; ++i, g = next(g, tm))
+        across.second[i] = g == o ? .6 : g == next(o, tm) ? .4 : 0;
+      const std::vector<boost::graph_traits<Mesh>::edge_descriptor> walls{edge(h, tm)};
+      Paths paths(tm);
+      paths.avoid_edges(walls);
+      paths.add_source_point(source.first, source.second);
+      std::size_t here = 0, there = 0;
+      for_each_straight_path(tm, paths, [&](vertex_descriptor u, double direction, double d)
+      {
+        const auto error = [&](const Face_location& l)
+        {
+          const auto traced = SMG::trace_geodesic(tm, l, direction, d, np::edges_to_avoid(walls));
+          return distance_to(tm, u, traced.points.back());
+        };
+        const bool is_here = error(source) < 1e-9;
+        CHECK(is_here || error(across) < 1e-9);
+        ++(is_here ? here : there);
+      });
+      CHECK(here > 0 && there > 0);
+    }
+}
+
+// Vectors in the faces around a vertex of the border whose faces fill more than a full turn.
+void vectors_beyond_a_full_turn()
+{
+  const test_support::Scope scope("vectors");
+  const std::size_t n = 10;
+  const Mesh tm = fan(n, 1.2);
+  const Avoided avoided{face_descriptor(0)};
+  double last = 0;
+  for(std::size_t k = 1; k < n; ++k)
+  {
+    Face_location center(face_descriptor(static_cast<unsigned int>(k)), {0, 0, 0});
+    auto h = halfedge(center.first, tm);
+    std::size_t corner = 0;
+    for(; source(h, tm) != vertex_descriptor(0); h = next(h, tm))
+      ++corner;
+    center.second[corner] = 1;
+    const Kernel::Point_3 middle = CGAL::midpoint(tm.point(target(h, tm)), tm.point(target(next(h, tm), tm)));
+    const double direction = SMG::geodesic_direction(tm, center, middle - CGAL::ORIGIN, np::faces_to_avoid(avoided));
+    CHECK(direction > last);
+    last = direction;
+    const auto back = SMG::geodesic_direction_vector(tm, center, direction, np::faces_to_avoid(avoided));
+    CHECK_EQUAL(back.first, center.first);
+    const double length = std::sqrt(CGAL::squared_distance(middle, Kernel::Point_3(CGAL::ORIGIN)));
+    for(int i = 0; i < 3; ++i)
+      CHECK_NEAR(back.second[std::size_t(i)], middle[i] / length, 1e-12);
+  }
+  CHECK(last > 2 * pi);
+}
+
 } // namespace
 
 int main()
 {
   fans();
   random_holes();
+  sources_on_rims();
+  sources_on_walls();
+  vectors_beyond_a_full_turn();
   return test_result();
 }

@@ -211,6 +211,13 @@ void locations_and_targets()
           .is_complete());
   CHECK(stored_numbers(folder.path()) == flat(expected));
   CHECK_EQUAL(SMG::check_geodesic_distance_matrix(tm, folder.name()).rows_different, 0u);
+  // Coordinates of float are those of the nearest valid point.
+  using Coarse = std::pair<face_descriptor, std::array<float, 3>>;
+  Test_folder coarse("coarse");
+  CHECK(SMG::store_geodesic_distance_matrix(tm, std::vector<Coarse>{{face(3), {{.1f, .2f, .7f}}}}, targets,
+                                            coarse.name())
+          .is_complete());
+  CHECK_EQUAL(SMG::check_geodesic_distance_matrix(tm, coarse.name()).rows_different, 0u);
   Test_folder empty("empty");
   CHECK(SMG::store_geodesic_distance_matrix(tm, std::vector<vertex_descriptor>(), targets, empty.name()).is_complete());
   CHECK_EQUAL(Store(empty.name()).status().shards, 0u);

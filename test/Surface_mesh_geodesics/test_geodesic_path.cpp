@@ -10,9 +10,11 @@
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_paths.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_path.h>
 
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polyhedron_3.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -245,6 +247,24 @@ void bad_points_are_rejected()
   CHECK(points.empty());
 }
 
+// Coordinates of another number type are those of double.
+void other_number_types()
+{
+  test_support::Scope scope("number types");
+  using Exact = CGAL::Exact_predicates_exact_constructions_kernel::FT;
+  const Mesh tm = to_face_graph(icosphere(2));
+  const auto exact = [](const Face_location& l)
+  {
+    return std::make_pair(l.first, std::array<Exact, 3>{{Exact(l.second[0]), Exact(l.second[1]), Exact(l.second[2])}});
+  };
+  const Face_location a(face(3), {.25, .25, .5}), b(face(90), {.5, .125, .375});
+  CHECK_EQUAL(SMG::geodesic_distance(tm, exact(a), exact(b)), SMG::geodesic_distance(tm, a, b));
+  std::vector<Point> points, exact_points;
+  const double d = SMG::geodesic_path(tm, a, b, std::back_inserter(points));
+  CHECK_EQUAL(SMG::geodesic_path(tm, exact(a), exact(b), std::back_inserter(exact_points)), d);
+  CHECK(exact_points == points);
+}
+
 // Another mesh, and points that are not those of the mesh.
 void other_meshes_and_maps()
 {
@@ -285,6 +305,7 @@ int main()
   plane();
   points_without_a_path();
   bad_points_are_rejected();
+  other_number_types();
   other_meshes_and_maps();
   return test_result();
 }

@@ -353,6 +353,36 @@ void visitors_see_the_energy_fall(std::uint64_t seed)
   }
 }
 
+struct Cancels_after : Geodesics::Geodesic_default_visitor
+{
+  explicit Cancels_after(std::size_t n) : left(n) {}
+
+  bool go_further() { return !(has_canceled = has_canceled || left-- == 0); }
+
+  std::size_t left;
+  bool has_canceled = false;
+};
+
+// Also where all vertices are samples, so that no round follows.
+void a_canceled_remeshing_writes_nothing()
+{
+  const Mesh mesh = to_face_graph(icosphere(1));
+  for(const std::size_t n : {std::size_t(20), std::size_t(num_vertices(mesh))})
+  {
+    bool has_canceled = true;
+    for(std::size_t questions = 0; has_canceled; ++questions)
+    {
+      Cancels_after visitor(questions);
+      Mesh output;
+      const auto report
+        = Geodesics::geodesic_remeshing(mesh, n, output, CGAL::parameters::visitor(std::ref(visitor)));
+      has_canceled = visitor.has_canceled;
+      CHECK_EQUAL(report.is_complete, !has_canceled);
+      CHECK_EQUAL(num_vertices(output) == 0, has_canceled);
+    }
+  }
+}
+
 } // namespace
 
 int main()
@@ -366,6 +396,7 @@ int main()
   vertices_of_four_cells_are_reported();
   no_iteration_moves_no_site();
   an_isolated_site_stays();
+  a_canceled_remeshing_writes_nothing();
   energies_are_those_of_the_cut_mesh(seed);
   visitors_see_the_energy_fall(seed);
   relaxation_makes_cells_even(seed);

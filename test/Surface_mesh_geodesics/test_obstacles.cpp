@@ -468,6 +468,29 @@ void test_rim()
   }
 }
 
+// An object without sources knows what is avoided, whether it had sources before or not.
+void test_without_sources()
+{
+  const test_support::Scope scope("without sources");
+  const Mesh tm = to_face_graph(flat_patch(6, 6, 0., false, 1));
+  const face_descriptor f(30);
+  const auto is_rejected = [&](const Paths& paths, const Paths::Barycentric_coordinates& b)
+  { return throws<Invalid_geodesic_input>([&] { paths.shortest_distance_to_source_points(f, b); }); };
+  Paths fresh(tm), used(tm);
+  used.add_source_point(*vertices(tm).first);
+  used.remove_all_source_points();
+  CHECK_EQUAL(used.shortest_distance_to_source_points(*vertices(tm).first).first, -1.);
+  for(Paths* paths : {&fresh, &used})
+  {
+    paths->avoid_faces(std::vector<face_descriptor>{f});
+    CHECK(is_rejected(*paths, {{.25, .25, .5}}));
+    CHECK_EQUAL(paths->shortest_distance_to_source_points(f, {{.25, .75, 0}}).first, -1.);
+    CHECK_EQUAL(paths->shortest_distance_to_source_points(f, {{1, 0, 0}}).first, -1.);
+    paths->avoid_faces(std::vector<face_descriptor>());
+    CHECK_EQUAL(paths->shortest_distance_to_source_points(f, {{.25, .25, .5}}).first, -1.);
+  }
+}
+
 void test_invalid_input()
 {
   const test_support::Scope scope("invalid input");
@@ -563,6 +586,7 @@ int main()
   test_all_functions();
   test_visibility_graph();
   test_rim();
+  test_without_sources();
   test_invalid_input();
   test_vertices_inside();
   return test_result();

@@ -222,6 +222,7 @@ void rejected()
   const auto with_offset = paths.add_source_curve(Curve(tm, ring, true), .25);
   CHECK(is_rejected(Reason::INVALID_OFFSET));
   paths.remove_source_point(with_offset);
+  CHECK(lines_at(paths, 1.).empty()); // no sources again
   paths.add_source_curve(Curve(tm, ring, true));
   CHECK(lines_at(paths, .1).size() == 1);
 }

@@ -349,6 +349,9 @@ void test_hostile_meshes()
       ++(g.end == Traced::AT_LENGTH ? at_length : g.end == Traced::AT_BORDER ? at_border : singular);
       CHECK(g.end != Traced::AT_LENGTH || std::abs(g.length - l) < 1e-12 * l);
       CHECK(g.direction >= 0 && g.direction < 2 * pi);
+      // A geodesic without length has got there wherever it begins.
+      CHECK(trace_geodesic(tm, from, direction, 0.).end == Traced::AT_LENGTH);
+      CHECK(trace_geodesic(tm, target(halfedge(from.first, tm), tm), direction, 0.).end == Traced::AT_LENGTH);
     }
   }
   CHECK(at_length > 1000 && at_border > 100 && counted > 10);

@@ -764,10 +764,10 @@ public:
 
   /// \name Directions at the Source
   /// With the distance, the direction is the logarithmic map. Directions are those of
-  /// `Surface_mesh_geodesics::trace_geodesic()`, which documents them. At a pinched vertex each umbrella has a frame of
-  /// its own, and the direction is that in the umbrella into which the path leaves. Tracing from the source in that
-  /// direction, by the distance, leads back to the point if the path bends nowhere; a path that bends at a vertex is
-  /// left there.
+  /// `Surface_mesh_geodesics::trace_geodesic()`, which documents them. At a pinched vertex, and at a source on a wall,
+  /// the direction is that at the location of the source in the face into which the path leaves. Tracing from there in
+  /// that direction, by the distance, leads back to the point if the path bends nowhere; a path that bends at a vertex
+  /// is left there.
   /// @{
 
   /// returns the direction in which the shortest path from a vertex to its source point arrives there, seen from the

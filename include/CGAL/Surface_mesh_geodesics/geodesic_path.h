@@ -80,8 +80,11 @@ auto place_of(const Place& place)
   if constexpr(Is_vertex<TriangleMesh, Place>::value)
     return typename Paths::vertex_descriptor(place);
   else
-    return typename Paths::Face_location{
-      place.first, {{FT(place.second[0]), FT(place.second[1]), FT(place.second[2])}}};
+  {
+    const auto& b = place.second;
+    const Barycentric<double> c = coordinates_in_double(b[0], b[1], b[2]);
+    return typename Paths::Face_location{place.first, {{FT(c[0]), FT(c[1]), FT(c[2])}}};
+  }
 }
 
 // Calls use(paths) with a structure for paths that has the maps among the named parameters, and leads around the faces
@@ -141,7 +144,9 @@ neither point is a vertex, the point type of the mesh must be that of a kernel o
 
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam Point1 a vertex descriptor, or a location: a pair of a face descriptor and three barycentric coordinates, of
-        `source(halfedge(f, tm), tm)`, `target(halfedge(f, tm), tm)` and `target(next(halfedge(f, tm), tm), tm)`
+        `source(halfedge(f, tm), tm)`, `target(halfedge(f, tm), tm)` and `target(next(halfedge(f, tm), tm), tm)`, of any
+        number type that `CGAL::to_double()` takes. Between two locations they are rounded to the number type of the
+        points.
 \tparam Point2 as `Point1`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 

@@ -93,7 +93,9 @@ direction is counted
 - in a face or on an edge, from the direction of `halfedge(f,tm)`, for the face `f` of the location. A direction that
   leads from an edge into the face across it is counted as if both faces were laid out in one plane;
 - at a vertex `v` inside the surface, from the direction of `opposite(halfedge(v,tm),tm)`, which leaves `v`, and scaled
-  so that the angles of all faces around `v` add up to \f$ 2\pi \f$;
+  so that the angles of all faces around `v` add up to \f$ 2\pi \f$.
+  At a pinched vertex this holds in the umbrella of that halfedge; in the others, directions count from the halfedge
+  that leaves `v` in the face of the location;
 - at a vertex of the border, from the first halfedge that leaves it, counterclockwise, in the faces of the location.
   It is not scaled: it is the angle between the edges, from 0 to the total angle of these faces.
 
@@ -221,7 +223,8 @@ vector, also where the vector leads out of the face.
 \param vector the vector, of any length
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", as for `trace_geodesic()`
 
-\return the angle, in \f$ [0, 2\pi) \f$
+\return the angle, in \f$ [0, 2\pi) \f$; at a vertex of the border whose faces fill more than a full turn, up to their
+        total angle
 
 \throws Invalid_geodesic_input as `trace_geodesic()`, and if the vector is null, not finite or, up to rounding, at a
         right angle to the face, or if the face has no area

@@ -120,9 +120,11 @@ public:
     remove_samples_of_done_components();
     // Components that are done need no relaxation: their samples are gone. The new mesh ends where samples on the
     // border are, so these stay: it would shrink otherwise. (A relaxation that the visitor cancels returns like any
-    // other; is_canceled() tells below.)
+    // other.)
     relax_sites<Diagram_, ConcurrencyTag>(m_mesh, m_samples.vertices, number_of_iterations, visitor, np,
                                           [this](Vertex v) { return bool(CGAL::is_border(v, m_mesh)); });
+    if(visitor.is_canceled())
+      return Report();
     auto diagram = make_vertex_site_diagram<Diagram_, ConcurrencyTag>(m_mesh, parameters::default_values());
     while(!std::all_of(m_is_done.begin(), m_is_done.end(), [](bool is_done) { return is_done; }))
     {

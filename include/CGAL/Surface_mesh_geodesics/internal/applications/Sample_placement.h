@@ -217,13 +217,15 @@ private:
   // The points are equally far from the vertex along straight edges, so their cells meet side by side in the middle of
   // the faces; half an edge is left for the neighbor, which may be the other end.
   //
-  // Adds a point of each edge at a vertex, at the given distance from it, or less if an edge is short.
+  // Adds a point of each edge with a length at a vertex, at the given distance from it, or less if an edge is short.
   void add_around(vertex_descriptor v, double distance)
   {
     for(const auto h : CGAL::halfedges_around_target(v, m_mesh))
-      distance = (std::min)(distance, length(h) / 2);
+      if(length(h) > 0)
+        distance = (std::min)(distance, length(h) / 2);
     for(const auto h : CGAL::halfedges_around_target(v, m_mesh))
-      add_point(location_on(h, distance / length(h)));
+      if(length(h) > 0)
+        add_point(location_on(h, distance / length(h)));
   }
 
   double length(halfedge_descriptor h) const

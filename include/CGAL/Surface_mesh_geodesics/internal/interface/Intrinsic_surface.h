@@ -364,18 +364,8 @@ public:
       const Halfedge_id h = checked_halfedge(f, what, position);
       return {h, intrinsic_coordinates<FT>(h, b, what, position)};
     }
-    const Coordinates c = snapped_coordinates(b, what, position);
-    halfedge_descriptor h = halfedge(f, m_tm);
-    for(unsigned int k = 0; k < 3; ++k, h = next(h, m_tm))
-    {
-      if(c[k] == 1)
-        for(const halfedge_descriptor g : halfedges_around_source(h, m_tm))
-          if(is_open(g))
-            return location_on_halfedge(g, FT(1), FT(0));
-      if(c[k] != 0 && c[next_corner(k)] != 0 && c[previous_corner(k)] == 0 && is_open(opposite(h, m_tm)))
-        return location_on_halfedge(opposite(h, m_tm), c[next_corner(k)], c[k]);
-    }
-    reject_avoided(what, position);
+    const auto p = place_at_rim(f, snapped_coordinates<FT>(b, what, position), what, position);
+    return location_on_halfedge(p.first, p.second[0], p.second[1]);
   }
 
   // Returns a curve or a range of curves, with all pieces that walls make of them. `offsets` are in the user's unit:
@@ -435,8 +425,8 @@ public:
       return {face_of(h), intrinsic_coordinates<FT>(h, s.source, what, position),
               intrinsic_coordinates<FT>(h, s.target, what, position)};
     }
-    const Coordinates from = snapped_coordinates(s.source, what, position);
-    const Coordinates to = snapped_coordinates(s.target, what, position);
+    const Coordinates from = snapped_coordinates<FT>(s.source, what, position);
+    const Coordinates to = snapped_coordinates<FT>(s.target, what, position);
     const auto point = [&] { return location_beside_avoided_faces(s.face, s.source, what, position); };
     if(from == to)
       return {face_of(point().first), point().second, point().second};
@@ -483,8 +473,9 @@ public:
       reject_null_face(what, position);
     if(!is_face_of(f, m_tm, m_fim))
       reject_face_of_location(what, position);
-    // Whether coordinates are valid does not depend on their order, so any halfedge will do.
-    intrinsic_coordinates<FT>(halfedge_of(0, 0), b, what, position);
+    const Coordinates c = snapped_coordinates<FT>(b, what, position);
+    if(is_avoided(f))
+      place_at_rim(f, c, what, position);
   }
 
 private:
@@ -541,14 +532,22 @@ private:
         is_marked[static_cast<std::size_t>(get(m_vim, target(h, m_tm)))] = 1;
   }
 
-  // The coordinates of a location in the order of the user's corners, which is that of a face whose first halfedge is
-  // halfedge 0. They tell whether it is at a corner or on an edge: snap_coordinates(). Throws as for locations.
-  template <typename BarycentricCoordinates>
-  static Coordinates snapped_coordinates(const BarycentricCoordinates& b, const char* what, std::size_t position)
+  // Finds where a snapped point of a face to avoid is in one that is not avoided: on which of its halfedges, and the
+  // coordinates of the source and the target. Throws for a point inside of what is avoided.
+  std::pair<halfedge_descriptor, std::array<FT, 2>> place_at_rim(face_descriptor f, const Coordinates& c,
+                                                                 const char* what, std::size_t position) const
   {
-    Coordinates c = intrinsic_coordinates<FT>(halfedge_of(0, 0), b, what, position);
-    snap_coordinates(c);
-    return c;
+    halfedge_descriptor h = halfedge(f, m_tm);
+    for(unsigned int k = 0; k < 3; ++k, h = next(h, m_tm))
+    {
+      if(c[k] == 1)
+        for(const halfedge_descriptor g : halfedges_around_source(h, m_tm))
+          if(is_open(g))
+            return {g, {{FT(1), FT(0)}}};
+      if(c[k] != 0 && c[next_corner(k)] != 0 && c[previous_corner(k)] == 0 && is_open(opposite(h, m_tm)))
+        return {opposite(h, m_tm), {{c[next_corner(k)], c[k]}}};
+    }
+    reject_avoided(what, position);
   }
 
   // Has a halfedge a face that is not avoided? Only then has that face a number in the intrinsic mesh. Requires: there

@@ -200,12 +200,7 @@ public:
   void use_edge_lengths(EdgeLengthMap edge_length_map)
   {
     m_solver.build_mesh(Shape_from_edge_lengths<double, Triangle_mesh, EdgeLengthMap>(m_tm, edge_length_map));
-    // The solver has no results now. Without sources none are needed; but if sources have been removed, a build is
-    // still due, which frees them.
-    if(m_sources.size() > 0)
-      set_changed();
-    else if(!has_changed())
-      set_ready(Stage::EVERYWHERE);
+    set_without_results();
   }
 
   // Avoid faces or edges from now on, in place of those before, and forget results, mesh and lengths. If they throw
@@ -354,13 +349,13 @@ public:
     return {farthest.first, FT(farthest.second)};
   }
 
-  // Writes a polyline for each line of points at the distance `value` that is chosen (Isoline_choice.h); see
-  // isoline_tracing.h. Returns the output iterator past the last one. `value` is in the user's unit.
+  // Writes a polyline for each line of points at the distance `value`, in the user's unit, that is chosen
+  // (Isoline_choice.h); see isoline_tracing.h. Returns the output iterator past the last one.
   template <typename Choice, typename OutputIterator>
   OutputIterator write_isolines(double value, const Choice& choice, OutputIterator output) const
   {
     prepare(Stage::EVERYWHERE);
-    if(has_results())
+    if(has_results() && m_sources.size() > 0)
     {
       Isoline_writer<Lazy_path_structure, OutputIterator> writer(*this, output);
       m_solver.trace_isolines(value, Tolerance<double>::isoline(), choice(m_solver), std::ref(writer));
@@ -395,13 +390,19 @@ private:
   void set_ready(Stage stage) const { m_ready.store(stage, std::memory_order_release); }
   void set_changed() { set_ready(Stage::NOWHERE); }
 
+  // The solver has no results now. Without sources none are needed; after sources were removed, a build is still due.
+  void set_without_results()
+  {
+    set_ready(m_sources.size() > 0 || has_changed() ? Stage::NOWHERE : Stage::EVERYWHERE);
+  }
+
   void avoid(Obstacles obstacles)
   {
     m_solver.forget();
     m_solver.avoid(std::move(obstacles));
-    if(m_sources.size() > 0)
-      set_changed();
+    set_without_results();
   }
+
   // Invalid vertices have the null location; build() rejects them.
   Face_location location_of(vertex_descriptor v) const
   {

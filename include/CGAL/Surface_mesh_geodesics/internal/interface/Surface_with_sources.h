@@ -220,30 +220,17 @@ public:
   }
 
   // Returns the direction of a departure from a source in the face f of the user, or on an edge of it: the angle from
-  // halfedge(f, tm). Of the parts of the face around the source, the largest one knows best where that halfedge is.
-  // Linear in the degree.
+  // halfedge(f, tm). If f is avoided, or lies across a wall from the path, the face that the path enters first stands
+  // for it. Of the parts of the face around the source, the largest one knows best where that halfedge is. Linear in
+  // the degree.
   Direction_at_source direction_in_face(const Departure<double>& d, face_descriptor f) const
   {
+    Direction_at_source result{0, false};
     const Halfedge_id first = m_surface.first_halfedge(f);
-    Halfedge_id reference = null_id;
-    double angle = 0, largest = 0;
-    mesh().for_each_halfedge_around(mesh().source(d.halfedge), [&](Halfedge_id h)
-    {
-      const Face_part<double>* const part = parts().find_part_of(face_of(h));
-      if(part == nullptr || part->whole != face_of(first))
-        return;
-      const auto a = angle_to_side_of_part(mesh().face(face_of(h)), part->corner, index_in_face(h),
-                                           index_in_face(first));
-      if(a[1] > largest)
-      {
-        reference = h;
-        angle = a[0];
-        largest = a[1];
-      }
-    });
-    return {angle + angle_around(mesh(), d, [&](Halfedge_id h) { return h == reference; }).angle, false};
+    if(first == null_id || !find_direction_in_face(d, first, result))
+      find_direction_in_face(d, m_surface.first_halfedge(user_face(face_of(d.halfedge))), result);
+    return result;
   }
-
   // --- queries: they throw Invalid_geodesic_input ---
 
   Query query(vertex_descriptor v) const
@@ -307,6 +294,31 @@ public:
   }
 
 private:
+  // Finds the same from the halfedge `first` of a face of the first mesh. Returns false if the source has no part of
+  // that face around it.
+  bool find_direction_in_face(const Departure<double>& d, Halfedge_id first, Direction_at_source& result) const
+  {
+    Halfedge_id reference = null_id;
+    double angle = 0, largest = 0;
+    mesh().for_each_halfedge_around(mesh().source(d.halfedge), [&](Halfedge_id h)
+    {
+      const Face_part<double>* const part = parts().find_part_of(face_of(h));
+      if(part == nullptr || part->whole != face_of(first))
+        return;
+      const auto a = angle_to_side_of_part(mesh().face(face_of(h)), part->corner, index_in_face(h),
+                                           index_in_face(first));
+      if(a[1] > largest)
+      {
+        reference = h;
+        angle = a[0];
+        largest = a[1];
+      }
+    });
+    if(reference != null_id)
+      result.angle = angle + angle_around(mesh(), d, [&](Halfedge_id h) { return h == reference; }).angle;
+    return reference != null_id;
+  }
+
   // Queries of users come here, and the other sides of walls.
   //
   // Returns the query for the point c of a face of the first mesh. Requires: the coordinates are snapped.

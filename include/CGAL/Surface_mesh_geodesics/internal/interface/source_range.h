@@ -520,6 +520,16 @@ Barycentric<FT> intrinsic_coordinates(Halfedge_id h, const Coordinates& b, const
   return r;
 }
 
+// The coordinates of a location in the order of the user's corners, which is that of a face whose first halfedge is
+// halfedge 0. They tell whether it is at a corner or on an edge: snap_coordinates(). Throws as for locations.
+template <typename FT, typename Coordinates>
+Barycentric<FT> snapped_coordinates(const Coordinates& b, const char* what, std::size_t position)
+{
+  Barycentric<FT> c = intrinsic_coordinates<FT>(halfedge_of(0, 0), b, what, position);
+  snap_coordinates(c);
+  return c;
+}
+
 } // namespace internal
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL

@@ -109,8 +109,9 @@ Json_value sources_to_json(const TriangleMesh& tm, const Sources& sources, Verte
     else
     {
       std::vector<Json_value> location{static_cast<std::size_t>(get(fim, source.first))};
-      for(std::size_t k = 0; k < 3; ++k)
-        location.push_back(CGAL::to_double(source.second[static_cast<unsigned int>(k)]) + 0.); // a zero has no sign
+      const auto& b = source.second;
+      for(const double x : coordinates_in_double(b[0], b[1], b[2]))
+        location.push_back(x + 0.); // a zero has no sign
       values.push_back(Json_value(std::move(location)));
     }
   });

@@ -147,7 +147,7 @@ private:
       enter(h, b, {std::cos(angle), std::sin(angle)}, Start::INSIDE);
       if(m_layout.has_area())
         return true;
-      return end_in_face(b, Result::AT_SINGULARITY);
+      return end_in_face(b, m_rest > 0 ? Result::AT_SINGULARITY : Result::AT_LENGTH);
     }
     // The halfedge at whose source the location is, or on which it lies.
     unsigned int k = 0;
@@ -188,7 +188,7 @@ private:
   {
     const Fan fan(h, m_tm, m_layouts);
     if(!fan.has_angles())
-      return end_at_vertex(0, Result::AT_SINGULARITY);
+      return end_at_vertex(0, m_rest > 0 ? Result::AT_SINGULARITY : Result::AT_LENGTH);
     const double angle = fan.unscaled(direction);
     if(!(m_rest > 0))
       return end_at_vertex(fan.scaled(angle), Result::AT_LENGTH);

@@ -278,8 +278,11 @@ double direction_of_vector(const TriangleMesh& tm, const Layouts& layouts, const
   if(std::count(start.second.begin(), start.second.end(), 0.) < 2)
     return reduced_angle(angle, full_turn);
   const Vertex_fan<TriangleMesh> fan(h, tm, layouts);
-  return fan.is_closed() && fan.has_angles() ? fan.scaled(fan.angle(h) + angle)
-                                             : reduced_angle(fan.angle(h) + angle, full_turn);
+  const double at_vertex = fan.angle(h) + angle;
+  if(fan.is_closed() && fan.has_angles())
+    return fan.scaled(at_vertex);
+  // (The faces of an open fan may fill more than a full turn.)
+  return 0 <= at_vertex && at_vertex <= fan.total_angle() ? at_vertex : reduced_angle(at_vertex, full_turn);
 }
 
 // The inverse of direction_of_vector() for vectors in the plane of the face.
