@@ -90,7 +90,7 @@ def mesh_name(row):
 
 
 # A column is a pair of a title and a function that makes a cell from a row, or a text "title: key", possibly followed
-# by a blank and .1 or .2 (digits behind the point), ~ (rounded), $ (text), ± (median and range).
+# by a blank and .1, .2 or .3 (digits behind the point), ~ (rounded), $ (text), ± (median and range).
 
 
 def spread(row, key):
@@ -102,7 +102,7 @@ def spread(row, key):
 
 
 FORMS = {"": lambda row, key: plain(row[key]), ".1": lambda row, key: plain(row[key], 1),
-         ".2": lambda row, key: plain(row[key], 2), "~": lambda row, key: rounded(row[key]),
+         ".2": lambda row, key: plain(row[key], 2), ".3": lambda row, key: plain(row[key], 3), "~": lambda row, key: rounded(row[key]),
          "$": lambda row, key: row[key], "±": spread}
 
 

@@ -54,6 +54,7 @@ instructions()
   echo $((count[1] - count[0]))
 }
 
+echo "# machine: $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1), $(nproc) hardware threads"
 echo "# compiler: $("$compiler" --version | head -n 1), flags: $flags"
 echo "# before: revision $(git -C "$root" rev-parse --short "$revision") of $(git -C "$root" log -1 --format=%as "$revision")"
 echo "# processor times of geodesic_distances() in ms, medians of $repetitions pairs of runs in turn; instructions of one call"
@@ -61,7 +62,9 @@ echo "mesh,faces,before_ms,now_ms,time_ratio,before_instructions,now_instruction
 for mesh in "$@"; do
   : > "$folder/runs"
   for((i = 0; i < repetitions; ++i)); do
-    echo "$("$folder/distances_before" "$mesh") $("$folder/distances_now" "$mesh")" >> "$folder/runs"
+    before="$("$folder/distances_before" "$mesh")"
+    now="$("$folder/distances_now" "$mesh")"
+    echo "$before $now" >> "$folder/runs"
   done
   awk -v mesh="$(basename "$mesh")" -v before="$(instructions before "$mesh")" -v now="$(instructions now "$mesh")" '
     function median(a, n,   i, j, t) {
