@@ -102,7 +102,8 @@ def spread(row, key):
 
 
 FORMS = {"": lambda row, key: plain(row[key]), ".1": lambda row, key: plain(row[key], 1),
-         ".2": lambda row, key: plain(row[key], 2), ".3": lambda row, key: plain(row[key], 3), "~": lambda row, key: rounded(row[key]),
+         ".2": lambda row, key: plain(row[key], 2), ".3": lambda row, key: plain(row[key], 3),
+         "~": lambda row, key: rounded(row[key]),
          "$": lambda row, key: row[key], "±": spread}
 
 
