@@ -137,6 +137,7 @@ STORE_ROWS = INTERNAL + "applications/matrix_store/Store_computation.h"
 STORED_MATRIX = INTERNAL + "applications/matrix_store/Stored_matrix.h"
 STORE_MATRIX = INTERNAL + "applications/matrix_store/store_matrix.h"
 STORE_CHECK = INTERNAL + "applications/matrix_store/check_stored_matrix.h"
+SOURCE_RANGE = INTERNAL + "interface/source_range.h"
 TRACING_FUNCTIONS = INTERNAL + "interface/tracing/tracing_functions.h"
 STORE_INPUT = INTERNAL + "applications/matrix_store/Store_input.h"
 
@@ -1003,8 +1004,8 @@ MUTANTS = [
     ("walk_into_avoided_face", TRACE_WALLS,
      "layouts.is_wall(h) || layouts.is_avoided(face(h, tm));", "layouts.is_wall(h);",
      "a traced geodesic enters a face to avoid", (TRACE_OBSTACLES,)),
-    ("rim_mirrored", TRACE_AVOIDED,
-     "b[next_corner(k)], b[k]);", "b[k], b[next_corner(k)]);",
+    ("rim_mirrored", SOURCE_RANGE,
+     "{{b[next_corner(k)], b[k]}}};", "{{b[k], b[next_corner(k)]}}};",
      "a location at the rim is moved along its edge", (TRACE_OBSTACLES,)),
     ("start_among_avoided_faces", TRACE_AVOIDED,
      "return !is_border(g, tm) && !layouts.is_avoided(face(g, tm)); };", "return !is_border(g, tm); };",
@@ -1015,9 +1016,9 @@ MUTANTS = [
     ("avoided_faces_shift_positions", READER,
      "m_indices_are_positions = m_indices_are_positions && !result;", "",
      "faces behind a face to avoid get wrong neighbors", (OBSTACLES,)),
-    ("rim_from_inside_rejected", SURFACE,
-     "if(c[k] != 0 && c[next_corner(k)] != 0 && c[previous_corner(k)] == 0 && is_open(opposite(h, m_tm)))",
-     "if(c[k] != 0 && c[next_corner(k)] != 0 && c[previous_corner(k)] != 0 && is_open(opposite(h, m_tm)))",
+    ("rim_from_inside_rejected", SOURCE_RANGE,
+     "if(b[k] != 0 && b[next_corner(k)] != 0 && b[previous_corner(k)] == 0 && is_open(opposite(h, tm)))",
+     "if(b[k] != 0 && b[next_corner(k)] != 0 && b[previous_corner(k)] != 0 && is_open(opposite(h, tm)))",
      "a source on the rim is rejected, and one inside moves to the rim", (OBSTACLES,)),
     ("store_without_faces_to_avoid", STORE_MATRIX,
      "    if(obstacles.is_avoided[f] != 0)\n", "    if(obstacles.is_avoided[f] == 2)\n",
@@ -1335,7 +1336,7 @@ MUTANTS = [
      "return c.image->distance_to(beside) < d.image->distance_to(beside);", "return c.way < d.way;",
      "a point beside a cell without width may be in it", (LATTICES,)),
     ("bisector_along_edge_leaves", FRONT_EVENT,
-     "return to < m_event.t || h(m_curve->point(to)) >= -m_width;", "return false;",
+     "if(is_last && (!m_event.is_bounded() || h(m_curve->start()) > m_width))", "if(is_last)",
      "rounding leads a bisector along an edge out of the face", (POLYHEDRA,)),
     ("edge_of_bisector_first", TRACER,
      "for(const bool starts_on_side : {false, true})", "for(const bool starts_on_side : {true, false})",

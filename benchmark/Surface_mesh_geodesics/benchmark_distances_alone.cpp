@@ -6,25 +6,14 @@
 
 #include <CGAL/Surface_mesh_geodesics/geodesic_distances.h>
 
-#include <cstdint>
-#include <cstring>
+#include <boost/functional/hash.hpp>
 
 namespace {
 
-// FNV-1a, over the bytes of the distances in the order of the vertices.
-std::uint64_t hash_of_bits(const std::vector<double>& distances)
+std::size_t hash_of_bits(const std::vector<double>& distances)
 {
-  std::uint64_t hash = 14695981039346656037u;
-  for(const double d : distances)
-  {
-    std::uint64_t bits;
-    std::memcpy(&bits, &d, sizeof(bits));
-    for(unsigned int i = 0; i < 8; ++i)
-    {
-      hash = (hash ^ ((bits >> (8 * i)) & 255u)) * 1099511628211u;
-    }
-  }
-  return hash;
+  const char* const first = reinterpret_cast<const char*>(distances.data());
+  return boost::hash_range(first, first + distances.size() * sizeof(double));
 }
 
 } // namespace

@@ -49,6 +49,11 @@ bool is_straight(const Paths& paths, vertex_descriptor v, std::size_t number_of_
   return passed.number <= number_of_ends;
 }
 
+double distance_to(const Mesh& tm, vertex_descriptor u, const std::array<double, 3>& p)
+{
+  return std::sqrt(CGAL::squared_distance(tm.point(u), Kernel::Point_3(p[0], p[1], p[2])));
+}
+
 // Traces to all vertices to which straight paths lead from v. Returns their number.
 std::size_t check_source(const Mesh& tm, vertex_descriptor v, const Avoided& avoided)
 {
@@ -67,8 +72,7 @@ std::size_t check_source(const Mesh& tm, vertex_descriptor v, const Avoided& avo
     CHECK(direction >= 0);
     CHECK_NEAR(direction, all[std::size_t(u)], 1e-9);
     const auto traced = SMG::trace_geodesic(tm, v, direction, d, np::faces_to_avoid(avoided));
-    const std::array<double, 3>& p = traced.points.back();
-    CHECK_NEAR(std::sqrt(CGAL::squared_distance(tm.point(u), Kernel::Point_3(p[0], p[1], p[2]))), 0., 1e-9);
+    CHECK_NEAR(distance_to(tm, u, traced.points.back()), 0., 1e-9);
     ++n;
   }
   return n;
@@ -151,11 +155,6 @@ void random_holes()
     }
   }
   CHECK(n > 1000);
-}
-
-double distance_to(const Mesh& tm, vertex_descriptor u, const std::array<double, 3>& p)
-{
-  return std::sqrt(CGAL::squared_distance(tm.point(u), Kernel::Point_3(p[0], p[1], p[2])));
 }
 
 // Calls visit(u, direction, distance) for all vertices to which straight paths lead.

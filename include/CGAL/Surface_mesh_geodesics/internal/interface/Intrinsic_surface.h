@@ -348,8 +348,7 @@ public:
     return {null_id, c};
   }
 
-  // Sources and queries both come here, so the rim has one meaning. Where faces around a vertex of the rim are left on
-  // several sides, the first one counts: the vertex is pinched then, and belongs to all of them.
+  // Sources and queries both come here, so the rim has one meaning.
   //
   // Returns a location of the user: the halfedge of the intrinsic mesh that is halfedge(f, tm), and the coordinates in
   // the order of the intrinsic face. A location in a face to avoid is given in a neighbor that is not avoided: an edge
@@ -364,7 +363,7 @@ public:
       const Halfedge_id h = checked_halfedge(f, what, position);
       return {h, intrinsic_coordinates<FT>(h, b, what, position)};
     }
-    const auto p = place_at_rim(f, snapped_coordinates<FT>(b, what, position), what, position);
+    const auto p = open_place(f, snapped_coordinates<FT>(b, what, position), what, position);
     return location_on_halfedge(p.first, p.second[0], p.second[1]);
   }
 
@@ -475,7 +474,7 @@ public:
       reject_face_of_location(what, position);
     const Coordinates c = snapped_coordinates<FT>(b, what, position);
     if(is_avoided(f))
-      place_at_rim(f, c, what, position);
+      open_place(f, c, what, position);
   }
 
 private:
@@ -532,22 +531,10 @@ private:
         is_marked[static_cast<std::size_t>(get(m_vim, target(h, m_tm)))] = 1;
   }
 
-  // Finds where a snapped point of a face to avoid is in one that is not avoided: on which of its halfedges, and the
-  // coordinates of the source and the target. Throws for a point inside of what is avoided.
-  std::pair<halfedge_descriptor, std::array<FT, 2>> place_at_rim(face_descriptor f, const Coordinates& c,
-                                                                 const char* what, std::size_t position) const
+  // place_at_rim() with the faces that this surface avoids.
+  auto open_place(face_descriptor f, const Coordinates& c, const char* what, std::size_t position) const
   {
-    halfedge_descriptor h = halfedge(f, m_tm);
-    for(unsigned int k = 0; k < 3; ++k, h = next(h, m_tm))
-    {
-      if(c[k] == 1)
-        for(const halfedge_descriptor g : halfedges_around_source(h, m_tm))
-          if(is_open(g))
-            return {g, {{FT(1), FT(0)}}};
-      if(c[k] != 0 && c[next_corner(k)] != 0 && c[previous_corner(k)] == 0 && is_open(opposite(h, m_tm)))
-        return {opposite(h, m_tm), {{c[next_corner(k)], c[k]}}};
-    }
-    reject_avoided(what, position);
+    return place_at_rim(f, c, m_tm, [this](halfedge_descriptor h) { return is_open(h); }, what, position);
   }
 
   // Has a halfedge a face that is not avoided? Only then has that face a number in the intrinsic mesh. Requires: there

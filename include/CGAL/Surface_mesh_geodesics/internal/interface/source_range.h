@@ -24,12 +24,14 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
@@ -528,6 +530,31 @@ Barycentric<FT> snapped_coordinates(const Coordinates& b, const char* what, std:
   Barycentric<FT> c = intrinsic_coordinates<FT>(halfedge_of(0, 0), b, what, position);
   snap_coordinates(c);
   return c;
+}
+
+// An edge or a vertex at the rim of what is avoided belongs to both sides. Of several faces around a vertex, the first
+// one counts in the order of halfedges_around_source(): where the vertex is pinched, this decides in which of its
+// umbrellas the point is.
+//
+// Finds where a snapped point of a face to avoid is in one that is not avoided: is_open(h) says whether h has such a
+// face. Returns its halfedge on which the point is, and the coordinates of the source and the target. Throws for a
+// point inside of what is avoided. Linear in the degree for a vertex, else constant. Requires: f is a triangle.
+template <typename TriangleMesh, typename FT, typename IsOpen>
+std::pair<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor, std::array<FT, 2>>
+place_at_rim(typename boost::graph_traits<TriangleMesh>::face_descriptor f, const Barycentric<FT>& b,
+             const TriangleMesh& tm, IsOpen is_open, const char* what, std::size_t position)
+{
+  auto h = halfedge(f, tm);
+  for(unsigned int k = 0; k < 3; ++k, h = next(h, tm))
+  {
+    if(b[next_corner(k)] == 0 && b[previous_corner(k)] == 0)
+      for(const auto g : halfedges_around_source(h, tm))
+        if(is_open(g))
+          return {g, {{FT(1), FT(0)}}};
+    if(b[k] != 0 && b[next_corner(k)] != 0 && b[previous_corner(k)] == 0 && is_open(opposite(h, tm)))
+      return {opposite(h, tm), {{b[next_corner(k)], b[k]}}};
+  }
+  reject_avoided(what, position);
 }
 
 } // namespace internal

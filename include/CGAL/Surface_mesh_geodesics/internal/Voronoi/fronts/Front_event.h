@@ -198,14 +198,16 @@ private:
   }
 
   // Returns whether rounding may be what puts the part of the curve from `from` to `to`, with the given middle, outside
-  // of a half-plane. A part behind the last root leads away from the line, so that its end speaks as well.
+  // of a half-plane. A part behind the last root leads away from the line; only where the curve starts on the line, and
+  // so may run along it, is that uncertain. Then the end of the part speaks as well.
   bool is_outside_by_rounding(const Half_plane<FT>& h, const FT& from, const FT& middle, const FT& to) const
   {
     if(!(from > 0))
       return h(m_curve->point(middle)) >= -m_slack;
-    if(!(to < std::numeric_limits<FT>::infinity()) || h(m_curve->point(middle)) < -m_width)
+    const bool is_last = !(to < m_event.t);
+    if(is_last && (!m_event.is_bounded() || h(m_curve->start()) > m_width))
       return false;
-    return to < m_event.t || h(m_curve->point(to)) >= -m_width;
+    return h(m_curve->point(middle)) >= -m_width && (!is_last || h(m_curve->point(to)) >= -m_width);
   }
 
   // Returns false if g does not take over before the event; sets c otherwise. The cheap tests come first: distances

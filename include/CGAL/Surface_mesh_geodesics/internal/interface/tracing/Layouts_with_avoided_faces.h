@@ -24,7 +24,6 @@
 #include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
 
 #include <CGAL/boost/graph/helpers.h>
-#include <CGAL/boost/graph/iterator.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -113,12 +112,9 @@ private:
   Avoided m_avoided;
 };
 
-// An edge or a vertex at the rim belongs to both sides. Of several faces around a vertex, the first one counts in the
-// order of halfedges_around_source(): where the vertex is pinched, this decides in which fan of faces it is.
-//
 // Returns the location b of a face to avoid as one of a face that is not avoided: a face and coordinates in the user's
-// order. Throws Invalid_geodesic_input for a location inside of what is avoided. Requires: b is snapped. Linear in the
-// degree for a vertex, else constant.
+// order. Throws Invalid_geodesic_input for a location inside of what is avoided; see place_at_rim(). Requires: b is
+// snapped.
 template <typename TriangleMesh, typename Layouts>
 std::pair<typename boost::graph_traits<TriangleMesh>::face_descriptor, Barycentric<double>>
 location_beside_avoided_faces(typename boost::graph_traits<TriangleMesh>::face_descriptor f,
@@ -127,30 +123,17 @@ location_beside_avoided_faces(typename boost::graph_traits<TriangleMesh>::face_d
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
   // Walls do not matter here: a point on a wall may be given on either side of it.
   const auto is_open = [&](halfedge_descriptor g) { return !is_border(g, tm) && !layouts.is_avoided(face(g, tm)); };
-  // The point on g with the coordinates x and y of its ends, in the face of g.
-  const auto on_halfedge = [&](halfedge_descriptor g, double x, double y)
-  {
-    check_triangle(g, tm);
-    Barycentric<double> c{0, 0, 0};
-    unsigned int k = 0;
-    for(halfedge_descriptor i = halfedge(face(g, tm), tm); i != g; i = next(i, tm))
-      ++k;
-    c[k] = x;
-    c[next_corner(k)] = y;
-    return std::make_pair(face(g, tm), c);
-  };
-  halfedge_descriptor h = halfedge(f, tm);
-  check_triangle(h, tm); // the loop would take the corners of another polygon for those of a triangle
-  for(unsigned int k = 0; k < 3; ++k, h = next(h, tm))
-  {
-    if(b[next_corner(k)] == 0 && b[previous_corner(k)] == 0)
-      for(const halfedge_descriptor g : halfedges_around_source(h, tm))
-        if(is_open(g))
-          return on_halfedge(g, 1, 0);
-    if(b[k] != 0 && b[next_corner(k)] != 0 && b[previous_corner(k)] == 0 && is_open(opposite(h, tm)))
-      return on_halfedge(opposite(h, tm), b[next_corner(k)], b[k]);
-  }
-  reject_avoided("the location", Invalid_geodesic_input::no_element);
+  check_triangle(halfedge(f, tm), tm); // otherwise the corners of another polygon would count as those of a triangle
+  const auto place = place_at_rim(f, b, tm, is_open, "the location", Invalid_geodesic_input::no_element);
+  const halfedge_descriptor h = place.first;
+  check_triangle(h, tm);
+  Barycentric<double> c{0, 0, 0};
+  unsigned int k = 0;
+  for(halfedge_descriptor g = halfedge(face(h, tm), tm); g != h; g = next(g, tm))
+    ++k;
+  c[k] = place.second[0];
+  c[next_corner(k)] = place.second[1];
+  return {face(h, tm), c};
 }
 
 } // namespace internal

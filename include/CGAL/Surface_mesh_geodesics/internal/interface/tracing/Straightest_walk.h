@@ -147,7 +147,7 @@ private:
       enter(h, b, {std::cos(angle), std::sin(angle)}, Start::INSIDE);
       if(m_layout.has_area())
         return true;
-      return end_in_face(b, m_rest > 0 ? Result::AT_SINGULARITY : Result::AT_LENGTH);
+      return end_in_face(b, Result::AT_SINGULARITY);
     }
     // The halfedge at whose source the location is, or on which it lies.
     unsigned int k = 0;
@@ -177,7 +177,7 @@ private:
     if(is_inward || is_end || !(m_rest > 0))
     {
       enter(h, {a, b, 0}, d, Start::ON_EDGE_AB);
-      return is_inward || end_in_face(m_b, m_rest > 0 ? Result::AT_BORDER : Result::AT_LENGTH);
+      return is_inward || end_in_face(m_b, Result::AT_BORDER);
     }
     enter(o, {b, a, 0}, {-d.x, -d.y}, Start::ON_EDGE_AB);
     return true;
@@ -188,7 +188,7 @@ private:
   {
     const Fan fan(h, m_tm, m_layouts);
     if(!fan.has_angles())
-      return end_at_vertex(0, m_rest > 0 ? Result::AT_SINGULARITY : Result::AT_LENGTH);
+      return end_at_vertex(0, Result::AT_SINGULARITY);
     const double angle = fan.unscaled(direction);
     if(!(m_rest > 0))
       return end_at_vertex(fan.scaled(angle), Result::AT_LENGTH);
@@ -385,8 +385,7 @@ private:
       m_result.locations.emplace_back(face(m_halfedge, m_tm), user);
     m_result.direction = reduced_angle(std::atan2(m_d.y, m_d.x) + angle_of_side(m_halfedge, m_layout, m_tm),
                                        full_turn);
-    m_result.end = end;
-    return false;
+    return set_end(end);
   }
 
   // Ends at the vertex of the last location, which the caller has appended. (The start is such a location, too.) The
@@ -394,7 +393,13 @@ private:
   bool end_at_vertex(double direction, typename Result::End end)
   {
     m_result.direction = direction;
-    m_result.end = end;
+    return set_end(end);
+  }
+
+  // A walk that has no length left has got there, whatever it meets.
+  bool set_end(typename Result::End end)
+  {
+    m_result.end = m_rest > 0 ? end : Result::AT_LENGTH;
     return false;
   }
 

@@ -87,9 +87,7 @@ Snapped_location<TriangleMesh> location_on_mesh(const TriangleMesh& tm, const Lo
       reject_null_face(what, none);
     if(Removed_elements<TriangleMesh>::contain(f, tm))
       reject_face_of_location(what, none);
-    Barycentric<double> b = intrinsic_coordinates<double>(halfedge_of(0, 0), location.second, what, none);
-    snap_coordinates(b);
-    return {f, b};
+    return {f, snapped_coordinates<double>(location.second, what, none)};
   }
 }
 
