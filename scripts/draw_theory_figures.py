@@ -354,6 +354,11 @@ def is_blocked(x, y):
             or (13 <= x <= 15 and 9 <= y <= 10) or (x == 24 and y in (6, 12)))
 
 
+def halves(x, y):
+    """The two triangles that make_grid() of CGAL makes of a square."""
+    return ((x, y), (x + 1, y), (x, y + 1)), ((x + 1, y), (x + 1, y + 1), (x, y + 1))
+
+
 def shortest_way(nodes, start, end, neighbors):
     """The shortest way in a graph of points, by Dijkstra's method without a queue."""
     length, before, waiting = {start: 0}, {}, set(nodes) | {start, end}
@@ -402,7 +407,7 @@ def obstacles():
     around = {}
     for x, y in squares:
         if not is_blocked(x, y):
-            for triangle in (((x, y), (x + 1, y), (x + 1, y + 1)), ((x, y), (x + 1, y + 1), (x, y + 1))):
+            for triangle in halves(x, y):
                 middles = [between(triangle[k], triangle[(k + 1) % 3], 0.5) for k in range(3)]
                 for place in middles + list(triangle):
                     around.setdefault(place, set()).update(middles)
@@ -415,8 +420,8 @@ def obstacles():
         picture.polygon([(x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1)], GRAY, GRAY, 1)
     for x, y in squares:
         if not is_blocked(x, y):
-            picture.polygon([(x, y), (x + 1, y), (x + 1, y + 1)], "none", LIGHT_GRAY, 0.7)
-            picture.polygon([(x, y), (x + 1, y + 1), (x, y + 1)], "none", LIGHT_GRAY, 0.7)
+            for triangle in halves(x, y):
+                picture.polygon(triangle, "none", LIGHT_GRAY, 0.7)
     start = (0, 0)
     for end in ((columns, 0), (columns, rows)):
         ends = [start, end]
@@ -428,7 +433,42 @@ def obstacles():
     return picture
 
 
-FIGURES = (window, pairs_of_windows, rule_1, wavefront, redundant_windows, arc_in_face, rooms, obstacles)
+# The walls of the example paths_between_walls, on a floor of 12 x 8 squares.
+WALLS = (((4, 0), (4, 6)), ((8, 2), (8, 8)), ((8, 4), (11, 4)))
+
+
+def walls():
+    """The exact ways between walls without thickness."""
+    columns, rows = 12, 8
+    picture = Picture(-0.4, -0.4, columns + 0.4, rows + 0.4, 56)
+    start, targets = (1, 1), ((3, 1), (5, 1), (11, 1), (10, 6))
+    free_ends = [(4, 6), (8, 2), (11, 4)]
+
+    def side(p, q, r):
+        return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
+
+    def is_seen(p, q):
+        return not any(side(p, q, a) * side(p, q, b) < 0 and side(a, b, p) * side(a, b, q) < 0 for a, b in WALLS)
+
+    for x in range(columns):
+        for y in range(rows):
+            for triangle in halves(x, y):
+                picture.polygon(triangle, "none", LIGHT_GRAY, 0.7)
+    picture.polygon([(0, 0), (columns, 0), (columns, rows), (0, rows)], "none", "black", 1.5)
+    for a, b in WALLS:
+        picture.line(a, b, "black", 4)
+    for target in targets:
+        nodes = free_ends + [start, target]
+        way = shortest_way(nodes, start, target, lambda p, all_of=tuple(nodes): [q for q in all_of if is_seen(p, q)])
+        picture.curve(way, BLUE, 3)
+        picture.dot(target)
+        picture.label(target, f"{sum(math.dist(p, q) for p, q in zip(way, way[1:])):.2f}", shift=(0.1, 0.22),
+                      anchor="start")
+    picture.dot(start)
+    return picture
+
+
+FIGURES = (window, pairs_of_windows, rule_1, wavefront, redundant_windows, arc_in_face, rooms, obstacles, walls)
 
 
 def main(arguments):

@@ -91,6 +91,8 @@ INTRINSIC_MESH = INTERNAL + "surface/Intrinsic_mesh.h"
 EQUAL_SOURCES = INTERNAL + "surface/equal_sources.h"
 LOCATOR = INTERNAL + "Voronoi/Cell_locator.h"
 TRACER = INTERNAL + "Voronoi/fronts/Front_tracer.h"
+FRONT_MEETING = INTERNAL + "Voronoi/fronts/Front_meeting.h"
+SITE_IMAGE = INTERNAL + "Voronoi/fronts/Site_image.h"
 MEASURES = INTERNAL + "Voronoi/Voronoi_cell_measures.h"
 FACE_CUT = INTERNAL + "Voronoi/Voronoi_face_cut.h"
 CHECKS = INTERNAL + "certificate/Distance_checks.h"
@@ -1341,6 +1343,37 @@ MUTANTS = [
     ("edge_of_bisector_first", TRACER,
      "for(const bool starts_on_side : {false, true})", "for(const bool starts_on_side : {true, false})",
      "a bisector along an edge leaves it before another edge bounds it", (POLYHEDRA,)),
+    ("wedge_without_width", FACE_PARTITION,
+     " && !is_beside_wedge(fronts, i, j)", "",
+     "the two sides of a wedge are one curve", (LATTICES,)),
+    ("wedge_with_one_side", FACE_PARTITION,
+     "return leads_to_third(fronts, i, j) && leads_to_third(fronts, j, i);", "return leads_to_third(fronts, i, j);",
+     "two ends of one curve are the sides of a wedge", (LATTICES,)),
+    ("vertex_of_absent_site", FRONT_MEETING,
+     "return m_images.nearest_of(site, f.p) == Face_images<FT>::none;", "return false;",
+     "a site without images in a face makes a vertex of any point", (LATTICES,)),
+    ("source_edges_stop_nothing", STRIP_FRONT,
+     "if(m_is_source_edge[dense_index(h)])", "if(false)",
+     "rays of two curves tie in an area, and edges choose among them one by one", (LATTICES,)),
+    ("end_of_interval_by_its_side", SITE_IMAGE,
+     "(std::min)(distance_around(left_end, p), distance_around(right_end, p))",
+     "distance_around(left(p) < 0 ? left_end : right_end, p)",
+     "paths from a point on the line of its interval bend at the wrong end", (POLYHEDRA,)),
+    ("touching_distances_by_root", EDGE_PARTITION,
+     "return m_has_rays && does_touch(g, c, first, start) ? first : start;", "return start;",
+     "beside a curve, a cell begins at the rounding of a double root", (POLYHEDRA,)),
+    ("tie_of_negative_distances", DIAGRAM_CHECK,
+     "(std::abs(at_middle) + best.image().scale)", "at_middle",
+     "no path ties with a distance that rounding makes negative, and right diagrams are refused", (LATTICES,)),
+    ("tie_without_scale", DIAGRAM_CHECK,
+     "(std::abs(at_middle) + best.image().scale)", "std::abs(at_middle)",
+     "right arcs beside a curve are refused", (LATTICES,)),
+    ("one_image_of_each_site", DIAGRAM_CHECK,
+     "for(const Candidate& right : {best[1], p.other[1]})\n", "for(const Candidate& right : {best[1]})\n",
+     "an image of both sites of an arc has no bisector, and right diagrams are refused", (LATTICES,)),
+    ("bisector_of_images_on_one_ray", ARC_PIECE,
+     ": !has_bisector(FT(left.scale + right.scale));", ": !(m_size > 0);",
+     "rounding makes a curve of a ray, and right diagrams are refused", (POLYHEDRA,)),
     ("vectors_within_a_full_turn", TRACING_FUNCTIONS,
      "return 0 <= at_vertex && at_vertex <= fan.total_angle() ? at_vertex", "return false ? at_vertex",
      "vectors beyond a full turn at a border get the direction of another face", (BORDER_DIRECTIONS,)),

@@ -96,7 +96,7 @@ void check_nearest_sites(const Mesh& tm, const Sites& sites, const Voronoi& diag
   for_each_query(tm, random, check);
 }
 
-void check_case(const Lattice& lattice, std::uint64_t seed)
+void check_case(const Lattice& lattice, std::uint64_t seed, bool is_to_be_certified = false)
 {
   const test_support::Scope scope("lattice of " + std::to_string(lattice.parts) + ", seed " + std::to_string(seed));
   test_support::Random random(seed);
@@ -107,6 +107,22 @@ void check_case(const Lattice& lattice, std::uint64_t seed)
   for(std::size_t i = 0; i < sites.curves.size(); ++i)
     diagram.add_site(Curve(tm, sites.curves[i]), sites.weights[i]);
   check_nearest_sites(tm, sites, diagram, random);
+  if(is_to_be_certified)
+    CHECK(CGAL::Surface_mesh_geodesics::certify_geodesic_Voronoi_diagram(diagram).is_certified());
+}
+
+// Diagrams that were wrong by so little that samples do not show it, and right ones that the certificate refused.
+void certified_cases()
+{
+  check_case(Lattice{4, 0., false}, 7244, true);     // four cells meet in one point, and two bisectors touch
+  check_case(Lattice{8, 0., false}, 5812, true);     // a wedge between two fronts that start at one corner
+  check_case(Lattice{3, 0., true, 4}, 4430, true);   // a cell of which a face has the edge only
+  check_case(Lattice{2, 0., true}, 19502, true);     // all rays of two curves tie
+  check_case(Lattice{2, 0., false}, 15511, true);    // two fronts that start at one corner, and no wedge
+  for(const unsigned int seed : {1964u, 9433u})      // distances that rounding makes negative
+    check_case(Lattice{4, 0., false}, seed, true);
+  check_case(Lattice{4, 0., false}, 9880, true);     // an image that belongs to both sites of an arc
+  check_case(Lattice{3, 0., true, 4}, 6134, true);   // distances as small as the rounding of rays
 }
 
 void random_cases()
@@ -157,6 +173,7 @@ int main()
 {
   ray_to_a_breakpoint();
   rare_cases();
+  certified_cases();
   random_cases();
   return test_result();
 }

@@ -78,6 +78,14 @@ void bisectors_along_edges()
   check_case(1877, false, true);
 }
 
+// Edges from which the distances of two sites touch, bisectors whose images are on one ray, and an image on the line of
+// its interval.
+void touching_distances()
+{
+  for(const std::uint64_t seed : {1418u, 3074u, 4146u})
+    check_case(seed, false, true);
+}
+
 void random_cases()
 {
   for(const bool has_weights : {false, true})
@@ -90,6 +98,7 @@ void random_cases()
 int main()
 {
   bisectors_along_edges();
+  touching_distances();
   random_cases();
   return test_result();
 }

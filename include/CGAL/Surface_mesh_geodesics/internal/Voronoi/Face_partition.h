@@ -238,18 +238,44 @@ private:
   static bool are_ends_of_curve(const Front& f, const Front& g) { return f.left == g.right && f.right == g.left; }
 
   // Connects the first two fronts that start at one point, if there are any: a cell between them has no width, and
-  // there is nothing to trace.
+  // there is nothing to trace, unless it is a wedge.
   bool connect_touching(std::vector<Front>& fronts)
   {
     for(std::size_t i = 0; i < fronts.size(); ++i)
       for(std::size_t j = i + 1; j < fronts.size(); ++j)
         if(are_ends_of_curve(fronts[i], fronts[j])
-           && distance(fronts[i].p, fronts[j].p) <= images_of_face().width())
+           && distance(fronts[i].p, fronts[j].p) <= images_of_face().width() && !is_beside_wedge(fronts, i, j))
         {
           split_at(fronts, i, j);
           return true;
         }
     return false;
+  }
+
+  // Are two fronts that start at one point the sides of a wedge, and not the ends of one curve? A corner may belong to
+  // a site, and both edges there to another one that is as near to the corner: then points to which paths bend at the
+  // corner are the cell of the site that has it. Its sides are rays, each of which leads to the start of another front.
+  bool is_beside_wedge(std::vector<Front>& fronts, std::size_t i, std::size_t j)
+  {
+    const Vertex_id between = j == i + 1 ? fronts[i].right : fronts[j].right;
+    const auto is_corner = [&](const Image& g)
+    {
+      return !g.has_cone && g.site == between
+          && distance(Point{g.point.x, g.point.y}, fronts[i].p) <= images_of_face().width();
+    };
+    if((j != i + 1 && i + fronts.size() != j + 1) || std::none_of(images().begin(), images().end(), is_corner))
+      return false;
+    find_sites(fronts);
+    return leads_to_third(fronts, i, j) && leads_to_third(fronts, j, i);
+  }
+
+  // Does front i lead to the start of a front that is not front j?
+  bool leads_to_third(std::vector<Front>& fronts, std::size_t i, std::size_t j)
+  {
+    if(fronts[i].stop == Stop::NOT_TRACED)
+      m_tracer.trace(fronts[i], nullptr);
+    const std::size_t other = other_end(fronts, i);
+    return other != none && other != j;
   }
 
   // Connects the first front that leads to the start of another one with the same sites, if there is one. Returns

@@ -192,10 +192,17 @@ private:
 
   // --- arcs between samples ---
 
-  // A part of an arc in one face of the refined mesh; points and images are in its layout.
-  //
-  // The images are those of the two sites of the arc; the excess of each is by how much the paths from it are longer
-  // than stated, at worst.
+  // An image of a site, in the layout of a face. The excess is by how much the paths from it are longer than stated, at
+  // worst.
+  struct Candidate
+  {
+    Image image{};
+    double excess = infinity();
+  };
+
+  // A part of an arc in one face of the refined mesh; points and images are in its layout. `best` are the images of the
+  // two sites of the arc. Another one of a site may be as good: where sites share a point, all images at it tie
+  // (choose_images()).
   struct Piece
   {
     Face_id face;
@@ -203,9 +210,8 @@ private:
     std::array<double, 3> stated; // own distances at these points
     bool is_segment;
     std::array<std::size_t, 2> sites;
-    std::array<Image, 2> images;
-    std::array<double, 2> excess;
     double extent;
+    std::array<Candidate, 2> best{}, other{};
   };
 
   // A point of an arc, and what is stated there: the distance is an own one, as those of the witness.
@@ -234,7 +240,7 @@ private:
     }
     for(const Piece& p : m_pieces)
       for(std::size_t side = 0; side < 2; ++side)
-        if(is_doubtful(violation(p, side, p.excess[side])))
+        if(is_doubtful(violation(p, side, p.best[side].excess)))
           m_needs_run[p.sites[side]] = 1;
   }
 
@@ -252,8 +258,7 @@ private:
   {
     const End m = end(arc, (a.t + b.t) / 2);
     Piece p{m.place.face, {}, m.place.point, {}, {{a.distance, m.distance, b.distance}}, arc.is_segment(),
-            {{arc.sites().first, arc.sites().second}}, {}, {{infinity(), infinity()}},
-            m_extents.extent_around(m.location.first)};
+            {{arc.sites().first, arc.sites().second}}, m_extents.extent_around(m.location.first)};
     const bool is_in_face
       = m_witness.find_in_face(a.place, p.face, p.first) && m_witness.find_in_face(b.place, p.face, p.last);
     bool is_found = is_in_face;
@@ -291,7 +296,10 @@ private:
     const std::size_t site = p.sites[side], nearest = paths.nearest(p.middle, site);
     if(nearest == Paths::none)
       return false;
-    const double tie = paths.families()[nearest].at(p.middle) * (1 + Tolerance<double>::tie());
+    // Beside a curve, distances are as small as the rounding of rays, and perhaps negative.
+    const auto& best = paths.families()[nearest];
+    const double at_middle = best.at(p.middle);
+    const double tie = at_middle + Tolerance<double>::tie() * (std::abs(at_middle) + best.image().scale);
     for(std::size_t i = 0; i < paths.families().size(); ++i)
     {
       const auto& family = paths.families()[i];
@@ -302,13 +310,67 @@ private:
       const double excess = detour + (std::max)({image.distance_to(p.first) - p.stated[0],
                                                  image.distance_to(p.middle) - p.stated[1],
                                                  image.distance_to(p.last) - p.stated[2]});
-      if(excess < p.excess[side])
-      {
-        p.excess[side] = excess;
-        p.images[side] = image;
-      }
+      add(p, side, Candidate{image, excess});
     }
-    return violation(p, side, p.excess[side]) <= Tolerance<double>::excess_of_pieces();
+    return is_right(p, side, p.best[side]);
+  }
+
+  // Are the paths from an image as long as stated all along the piece, up to what no division would make better? An
+  // image that is not found yet has an infinite excess, and is not right.
+  bool is_right(const Piece& p, std::size_t side, const Candidate& c) const
+  {
+    return violation(p, side, c.excess) <= Tolerance<double>::excess_of_pieces();
+  }
+
+  // Keeps a candidate if it is better than the best one, or another one that is right, too. The order of candidates
+  // does not matter, unless three different ones are right: then one of them is lost.
+  void add(Piece& p, std::size_t side, const Candidate& c) const
+  {
+    Candidate& best = p.best[side];
+    const bool is_best = c.excess < best.excess;
+    const Candidate& second = is_best ? best : c;
+    if(is_right(p, side, second) && !are_same(best.image, c.image, p.stated[1]))
+      p.other[side] = second;
+    if(is_best)
+      best = c;
+  }
+
+  // Are two images, at a distance from the piece, the same one up to rounding?
+  static bool are_same(const Image& a, const Image& b, double distance)
+  {
+    const double rounding = Tolerance<double>::tie() * (std::abs(distance) + a.scale);
+    const double shift = std::hypot(a.x - b.x, a.y - b.y) * (a.is_at_infinity() ? a.scale : 1.);
+    return a.is_at_infinity() == b.is_at_infinity() && shift <= rounding && std::abs(a.weight - b.weight) <= rounding;
+  }
+
+  // If there is no bisector of the best images, others take their places, if there are any. (All of them are equally
+  // far from the ends of the piece and from its middle. Two curves with a common focus have two points in common at
+  // most, so that all bisectors are one.)
+  void choose_images(Piece& p) const
+  {
+    if(p.is_segment || !arc_between(p, p.best).is_segment())
+      return;
+    const std::array<Candidate, 2> best = p.best;
+    for(const Candidate& left : {best[0], p.other[0]})
+      for(const Candidate& right : {best[1], p.other[1]})
+        if(left.excess < infinity() && right.excess < infinity() && !arc_between(p, {{left, right}}).is_segment())
+        {
+          p.best = {{left, right}};
+          return;
+        }
+  }
+
+  // Returns how far the middle of a piece is from its chord, if rounding hides the bisector of the best images; else 0.
+  // Such a piece is checked as if it were straight, unless it turns beside an image.
+  static double turn_of(const Piece& p)
+  {
+    const bool is_hidden = !p.is_segment && arc_between(p, p.best).is_segment();
+    return is_hidden ? distance_from_segment(p.middle, p.first, p.last) : 0.;
+  }
+
+  static Arc_piece<double> arc_between(const Piece& p, const std::array<Candidate, 2>& images)
+  {
+    return Arc_piece<double>(p.first, p.last, images[0].image, images[1].image, p.is_segment);
   }
 
   // Makes a violation of an excess in the unit of the intrinsic mesh, for the site on one side.
@@ -319,23 +381,38 @@ private:
 
   // Both sites have images now, or never. The bound is compared along the whole piece, and the piece must not leave the
   // face, where neither the bound nor the paths are known. On a segment, both distances are compared, too; on a
-  // bisector they are equal.
+  // bisector they are equal. Without a bisector, the piece has to be straight: a convex curve is near its chord
+  // everywhere if its middle is.
   void check_pieces()
   {
-    for(const Piece& p : m_pieces)
+    for(Piece& p : m_pieces)
     {
-      double excess = (std::max)(p.excess[0], p.excess[1]);
+      choose_images(p);
+      double excess = (std::max)(p.best[0].excess, p.best[1].excess);
       if(excess < infinity())
       {
         read(p.face);
-        const Arc_piece<double> arc(p.first, p.last, p.images[0], p.images[1], p.is_segment);
-        excess = (std::max)({excess, m_bound.excess_along(arc), m_bound.leaving(arc)});
-        arc.for_each_extremum_of_difference([&](const Point& x)
-        { excess = (std::max)(excess, arc.difference(x)); });
+        double excess_of_arc = (std::max)(excess_along(arc_between(p, p.best)), turn_of(p));
+        if(turn_of(p) > 0)
+        {
+          // What is left of the bisector may tell more than the chord.
+          const auto arc = Arc_piece<double>::with_any_bisector(p.first, p.last, p.best[0].image, p.best[1].image);
+          if(!arc.is_segment())
+            excess_of_arc = (std::min)(excess_of_arc, excess_along(arc));
+        }
+        excess = (std::max)(excess, excess_of_arc);
       }
-      const std::size_t side = p.excess[1] > p.excess[0] ? 1 : 0;
+      const std::size_t side = p.best[1].excess > p.best[0].excess ? 1 : 0;
       record(DIAGRAM_CURVES, violation(p, side, excess), p.sites[side]);
     }
+  }
+
+  // By how much the bound is exceeded along an arc, the arc leaves the face, or both distances differ on it.
+  double excess_along(const Arc_piece<double>& arc) const
+  {
+    double excess = (std::max)(m_bound.excess_along(arc), m_bound.leaving(arc));
+    arc.for_each_extremum_of_difference([&](const Point& x) { excess = (std::max)(excess, arc.difference(x)); });
+    return excess;
   }
 
   // --- second round ---
@@ -364,7 +441,7 @@ private:
         }
     for(Piece& p : m_pieces)
       for(std::size_t side = 0; side < 2; ++side)
-        if(p.sites[side] == i && is_doubtful(violation(p, side, p.excess[side])))
+        if(p.sites[side] == i && is_doubtful(violation(p, side, p.best[side].excess)))
         {
           read_own(p.face);
           find_image(p, side, paths);

@@ -163,14 +163,13 @@ public:
     return image.sees(p, width()) ? image.point : bend(image, p).point;
   }
 
-  // Returns the image of paths that bend at the end of the interval nearer to p: a weighted point at that end, without
-  // a cone, whose weight is the distance of the end from the site. The end is that of the side of the cone beyond which
-  // p is, or to which it is nearer. Requires: image.has_cone.
+  // Returns the image of paths that bend at the end of the interval toward p: a weighted point at that end, without a
+  // cone, whose weight is the distance of the end from the site. Requires: image.has_cone.
   static Image bend(const Image& image, const Point& p)
   {
     CGAL_assertion(image.has_cone);
     Image result;
-    const Point& q = image.left(p) < image.right(p) ? image.left_end : image.right_end;
+    const Point& q = image.end_toward(p);
     result.point = Additively_weighted_point<FT>{q.x, q.y, image.point.distance_to(q)};
     result.site = image.site;
     return result;

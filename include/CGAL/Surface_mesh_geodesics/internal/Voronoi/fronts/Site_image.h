@@ -19,9 +19,11 @@
 // mesh.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Weighted_bisector.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -56,13 +58,29 @@ struct Site_image
   }
 
   // Returns the length of the shortest path from the site to p through the interval: straight from the point if it sees
-  // p, else around the end of the interval on the side of p. Requires: p is in the face, up to rounding.
+  // p, else around the end of the interval toward p. Requires: p is in the face, up to rounding.
   FT distance_to(const Planar_point<FT>& p) const
   {
-    if(sees(p))
-      return point.distance_to(p);
-    const Planar_point<FT>& q = left(p) < 0 ? left_end : right_end;
-    return point.distance_to(q) + distance(p, q);
+    return sees(p) ? point.distance_to(p) : (std::min)(distance_around(left_end, p), distance_around(right_end, p));
+  }
+
+  // Returns the end of the interval around which paths to p are shorter: the end on the side of the cone beyond which p
+  // is, or to which it is nearer. The lengths decide first: where the point lies on the line of the interval, both
+  // sides of the cone are that line, and rounding puts p beyond either of them. Requires: has_cone.
+  const Planar_point<FT>& end_toward(const Planar_point<FT>& p) const
+  {
+    const FT around_left = distance_around(left_end, p), around_right = distance_around(right_end, p);
+    if(is_clearly_less(around_left, around_right))
+      return left_end;
+    if(is_clearly_less(around_right, around_left))
+      return right_end;
+    return left(p) < right(p) ? left_end : right_end;
+  }
+
+private:
+  FT distance_around(const Planar_point<FT>& end, const Planar_point<FT>& p) const
+  {
+    return point.distance_to(end) + distance(p, end);
   }
 };
 

@@ -25,6 +25,11 @@
 // |QC|. So only rays on the left of S go on to the left edge, and only rays on its right to the right edge. This
 // compares a strip with a path of any kind, and needs no order. Ties keep the strip.
 //
+// Source edges stop strips. Where a ray meets a source edge, the curve there is as near by its own offset. A strip that
+// is nowhere nearer than that, up to the rounding of two distances, goes no farther. So it stops in a tie, too: of two
+// curves at just the distance by which their offsets differ, all rays would tie in an area, and the edges of a diagram
+// would choose among them one by one.
+//
 // Time goes into memory, not into arithmetic: a list has been put long before it crosses, and is in no cache then. So
 // lists lie in a pool (Strip_pool.h), all those around a vertex are fetched before the first one crosses, and strips
 // that go on around the vertex stay where they are, in columns (Strip_columns.h).
@@ -85,8 +90,8 @@ public:
     restart();
   }
 
-  // Removes all strips. The mesh may have changed since. Linear in the number of halfedges on which strips have waited
-  // at the same time, and in that of vertices and faces that are new.
+  // Removes all strips. The mesh may have changed since. Linear in the number of source edges, in that of halfedges on
+  // which strips have waited at the same time, and in that of vertices and faces that are new.
   void restart()
   {
     // (Lists know their halfedges, so only the slots of these are cleared.)
@@ -100,6 +105,10 @@ public:
       m_free.push_back(i);
     }
     m_slot.resize(3 * m_mesh.number_of_faces(), null_id);
+    for(const auto& edge : m_source_edges)
+      m_is_source_edge[dense_index(edge.first)] = false;
+    m_source_edges.clear();
+    m_is_source_edge.resize(3 * m_mesh.number_of_faces(), false);
     m_foot.resize(m_mesh.number_of_vertices());
     m_maximum_distance = Field::infinity();
     m_number_crossed = m_number_created = 0;
@@ -127,7 +136,14 @@ public:
       const Source_edge<FT>& e = curves.edges[i];
       add_first_strip(e.left, e.offset, 2 * i, push);
       add_first_strip(e.right, e.offset, 2 * i + 1, push);
+      for(const Halfedge_id h : {e.left, e.right})
+        if(h != null_id)
+        {
+          m_source_edges.emplace_back(h, e.offset);
+          m_is_source_edge[dense_index(h)] = true;
+        }
     }
+    std::sort(m_source_edges.begin(), m_source_edges.end());
   }
 
   // Does no strip wait? With points among the sources, or curves that reach little, most of a run goes on without any.
@@ -178,10 +194,11 @@ public:
          + m_crossing.memory() + m_children.memory();
   }
 
-  // Bytes of the tables that have an entry for each vertex or halfedge of the mesh.
+  // Bytes of the tables that have an entry for each vertex or halfedge of the mesh, or for each source edge.
   std::size_t table_memory() const
   {
-    return m_foot.capacity() * sizeof(Strip_foot<FT>) + m_slot.capacity() * sizeof(std::uint32_t);
+    return m_foot.capacity() * sizeof(Strip_foot<FT>) + m_slot.capacity() * sizeof(std::uint32_t)
+         + m_is_source_edge.capacity() / 8 + m_source_edges.capacity() * sizeof(std::pair<Halfedge_id, FT>);
   }
 
 private:
@@ -350,8 +367,8 @@ private:
   {
     if(c.left == null_id || !(c.left_length > 0))
       return {0, Field::infinity()};
-    return make_children(n, {c.left_length, left_angle(c), rival(c.origin), rival(c.apex), c.length,
-                             m_field.arrival[c.apex].abscissa, known, m_maximum_distance},
+    return make_children(n, c.left, {c.left_length, left_angle(c), rival(c.origin), rival(c.apex), c.length,
+                                     m_field.arrival[c.apex].abscissa, known, m_maximum_distance},
                          &Strip_list_loops<FT>::cross_left);
   }
 
@@ -359,19 +376,40 @@ private:
   {
     if(c.right == null_id || !(c.right_length > 0))
       return {0, Field::infinity()};
-    return make_children(n, {c.right_length, right_angle(c), rival(c.apex), rival(c.target), c.length,
-                             m_field.arrival[c.apex].abscissa, known, m_maximum_distance},
+    return make_children(n, c.right, {c.right_length, right_angle(c), rival(c.apex), rival(c.target), c.length,
+                                      m_field.arrival[c.apex].abscissa, known, m_maximum_distance},
                          &Strip_list_loops<FT>::cross_right);
   }
 
-  Strip_children<FT> make_children(std::size_t n, const Strip_side<FT>& side, Cross Strip_list_loops<FT>::*loop)
+  Strip_children<FT> make_children(std::size_t n, Halfedge_id h, const Strip_side<FT>& side,
+                                   Cross Strip_list_loops<FT>::*loop)
   {
     if(n == 0)
       return {0, Field::infinity()};
     m_children.reserve(n, 0);
-    const Strip_children<FT> children = (m_loops(n).*loop)(m_crossing, n, side, m_children);
+    Strip_children<FT> children = (m_loops(n).*loop)(m_crossing, n, side, m_children);
+    if(m_is_source_edge[dense_index(h)])
+      children = nearer_than_source(h, children);
     m_number_created += children.number;
     return children;
+  }
+
+  // Leaves those children out that are nowhere nearer than the source edge on which they wait.
+  Strip_children<FT> nearer_than_source(Halfedge_id h, const Strip_children<FT>& children)
+  {
+    const auto source = std::lower_bound(m_source_edges.begin(), m_source_edges.end(), h,
+                                         [](const auto& edge, Halfedge_id other) { return edge.first < other; });
+    CGAL_assertion(source != m_source_edges.end() && source->first == h);
+    Strip_children<FT> result{0, Field::infinity()};
+    for(std::size_t i = 0; i < children.number; ++i)
+    {
+      const FT least = m_children.get(i).minimum_distance();
+      if(!is_clearly_less(least, source->second))
+        continue;
+      m_children.copy_row(i, result.number++);
+      result.least_distance = (std::min)(result.least_distance, least);
+    }
+    return result;
   }
 
   // Lets the children beyond a side from a to b wait there.
@@ -434,6 +472,8 @@ private:
   std::vector<List> m_lists;
   std::vector<Halfedge_id> m_halfedge; // by place in m_lists: on which it waits; null_id if the place is free
   std::vector<std::uint32_t> m_free;
+  std::vector<bool> m_is_source_edge; // by halfedge
+  std::vector<std::pair<Halfedge_id, FT>> m_source_edges; // halfedges of these edges in ascending order, with offsets
   Strip_columns<FT> m_crossing, m_children; // strips that cross a face, and their children; buffers between calls
   std::uint32_t m_most_faces_crossed = 0; // by one of m_crossing, or a bound of it
   Loops_by_length<Strip_list_loops<FT>> m_loops;
