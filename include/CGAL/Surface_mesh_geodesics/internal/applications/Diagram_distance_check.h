@@ -45,6 +45,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Arc_piece.h>
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Face_paths.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Weighted_bisector.h>
 
 #include <CGAL/number_utils.h>
 
@@ -343,34 +344,30 @@ private:
     return a.is_at_infinity() == b.is_at_infinity() && shift <= rounding && std::abs(a.weight - b.weight) <= rounding;
   }
 
+  using Images = std::array<Candidate, 2>; // of both sites
+
   // If there is no bisector of the best images, others take their places, if there are any. (All of them are equally
   // far from the ends of the piece and from its middle. Two curves with a common focus have two points in common at
   // most, so that all bisectors are one.)
   void choose_images(Piece& p) const
   {
-    if(p.is_segment || !arc_between(p, p.best).is_segment())
+    if(p.is_segment || has_bisector(p, p.best))
       return;
-    const std::array<Candidate, 2> best = p.best;
+    const Images best = p.best;
     for(const Candidate& left : {best[0], p.other[0]})
       for(const Candidate& right : {best[1], p.other[1]})
-        if(left.excess < infinity() && right.excess < infinity() && !arc_between(p, {{left, right}}).is_segment())
+        if(left.excess < infinity() && right.excess < infinity() && has_bisector(p, {{left, right}}))
         {
           p.best = {{left, right}};
           return;
         }
   }
 
-  // Returns how far the middle of a piece is from its chord, if rounding hides the bisector of the best images; else 0.
-  // Such a piece is checked as if it were straight, unless it turns beside an image.
-  static double turn_of(const Piece& p)
+  // Is there a bisector beyond rounding? There is none where one image is on the way of all paths from the other one to
+  // the piece.
+  static bool has_bisector(const Piece& p, const Images& images)
   {
-    const bool is_hidden = !p.is_segment && arc_between(p, p.best).is_segment();
-    return is_hidden ? distance_from_segment(p.middle, p.first, p.last) : 0.;
-  }
-
-  static Arc_piece<double> arc_between(const Piece& p, const std::array<Candidate, 2>& images)
-  {
-    return Arc_piece<double>(p.first, p.last, images[0].image, images[1].image, p.is_segment);
+    return Weighted_bisector<double>(images[0].image, images[1].image, p.middle).is_valid();
   }
 
   // Makes a violation of an excess in the unit of the intrinsic mesh, for the site on one side.
@@ -381,8 +378,7 @@ private:
 
   // Both sites have images now, or never. The bound is compared along the whole piece, and the piece must not leave the
   // face, where neither the bound nor the paths are known. On a segment, both distances are compared, too; on a
-  // bisector they are equal. Without a bisector, the piece has to be straight: a convex curve is near its chord
-  // everywhere if its middle is.
+  // bisector they are equal.
   void check_pieces()
   {
     for(Piece& p : m_pieces)
@@ -392,22 +388,28 @@ private:
       if(excess < infinity())
       {
         read(p.face);
-        double excess_of_arc = (std::max)(excess_along(arc_between(p, p.best)), turn_of(p));
-        if(turn_of(p) > 0)
-        {
-          // What is left of the bisector may tell more than the chord.
-          const auto arc = Arc_piece<double>::with_any_bisector(p.first, p.last, p.best[0].image, p.best[1].image);
-          if(!arc.is_segment())
-            excess_of_arc = (std::min)(excess_of_arc, excess_along(arc));
-        }
-        excess = (std::max)(excess, excess_of_arc);
+        excess = (std::max)(excess, excess_along(p));
       }
       const std::size_t side = p.best[1].excess > p.best[0].excess ? 1 : 0;
       record(DIAGRAM_CURVES, violation(p, side, excess), p.sites[side]);
     }
   }
 
-  // By how much the bound is exceeded along an arc, the arc leaves the face, or both distances differ on it.
+  // By how much the bound is exceeded along a piece, the piece leaves the face, or both distances differ on it.
+  //
+  // Where rounding hides the bisector, the piece is straight as a rule: then its middle is on its chord. It may also
+  // turn beside an image: then what is left of the bisector tells more.
+  double excess_along(const Piece& p) const
+  {
+    const Image &left = p.best[0].image, &right = p.best[1].image;
+    const Arc_piece<double> arc(p.first, p.last, left, right, p.is_segment);
+    if(p.is_segment || has_bisector(p, p.best))
+      return excess_along(arc);
+    const double of_chord = (std::max)(excess_along(Arc_piece<double>(p.first, p.last, left, right, true)),
+                                       distance_from_segment(p.middle, p.first, p.last));
+    return arc.is_segment() ? of_chord : (std::min)(of_chord, excess_along(arc));
+  }
+
   double excess_along(const Arc_piece<double>& arc) const
   {
     double excess = (std::max)(m_bound.excess_along(arc), m_bound.leaving(arc));

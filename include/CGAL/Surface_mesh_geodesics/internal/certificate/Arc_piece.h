@@ -31,7 +31,6 @@
 // segment.
 
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Edge_distance_function.h>
-#include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Weighted_bisector.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
 
@@ -45,8 +44,8 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 
 // All points are in one plane. `left` and `right` are the images from which the distances on the piece are measured.
-// The piece is the segment between its ends, or the bisector of both images. It is the segment, too, if rounding hides
-// the bisector (has_bisector()).
+// The piece is the segment between its ends, or the bisector of both images. (It is the segment, too, if the images are
+// too close to each other for a bisector.)
 //
 // Each for_each function calls visit(point) for few points of the piece between its ends. Takes constant time.
 template <typename FT_>
@@ -58,13 +57,18 @@ public:
   using Image = Additively_weighted_point<FT>;
 
   Arc_piece(const Point& first, const Point& last, const Image& left, const Image& right, bool is_segment)
-    : Arc_piece(first, last, left, right, is_segment, false)
-  {}
-
-  // The same for a piece that is no segment, although rounding may hide its bisector: what is left of it is taken.
-  static Arc_piece with_any_bisector(const Point& first, const Point& last, const Image& left, const Image& right)
+    : m_first(first), m_last(last), m_left(left), m_right(right), m_focus(left.is_at_infinity() ? right : left),
+      m_is_segment(is_segment || m_focus.is_at_infinity())
   {
-    return Arc_piece(first, last, left, right, false, true);
+    if(m_is_segment)
+      return;
+    const Bisector b = bisector_with(left.is_at_infinity() ? left : right);
+    m_difference = b.difference;
+    m_to_right = b.to_other;
+    m_size = b.size;
+    m_is_segment = !(m_size > 0);
+    m_to_first = {FT(first.x - m_focus.x), FT(first.y - m_focus.y)};
+    m_to_last = {FT(last.x - m_focus.x), FT(last.y - m_focus.y)};
   }
 
   bool is_segment() const { return m_is_segment; }
@@ -143,22 +147,6 @@ public:
   }
 
 private:
-  Arc_piece(const Point& first, const Point& last, const Image& left, const Image& right, bool is_segment,
-            bool takes_any_bisector)
-    : m_first(first), m_last(last), m_left(left), m_right(right), m_focus(left.is_at_infinity() ? right : left),
-      m_is_segment(is_segment || m_focus.is_at_infinity())
-  {
-    if(m_is_segment)
-      return;
-    const Bisector b = bisector_with(left.is_at_infinity() ? left : right);
-    m_difference = b.difference;
-    m_to_right = b.to_other;
-    m_size = b.size;
-    m_to_first = {FT(first.x - m_focus.x), FT(first.y - m_focus.y)};
-    m_to_last = {FT(last.x - m_focus.x), FT(last.y - m_focus.y)};
-    m_is_segment = takes_any_bisector ? !(m_size > 0) : !has_bisector(FT(left.scale + right.scale));
-  }
-
   // The bisector of F and another image: s, d and A.
   struct Bisector
   {
@@ -174,21 +162,6 @@ private:
     const Point d = {FT(q.x - m_focus.x), FT(q.y - m_focus.y)};
     const FT s = m_focus.weight - q.weight;
     return {s, d, half_of_squares(d, s)};
-  }
-
-  // Are the images far enough from each other for a bisector? One image may be on the way of all paths from the other
-  // one to the piece, or be the same point: then both distances tie wherever paths run through it, and no equation
-  // tells where the piece is. It is straight then, up to the square root of rounding, or turns beside an image: whoever
-  // knows a third point of it has to look. `scale` is that of the images at infinity.
-  bool has_bisector(const FT& scale) const
-  {
-    using std::abs;
-    const FT r = (std::max)(norm<FT>(m_to_first.x, m_to_first.y), norm<FT>(m_to_last.x, m_to_last.y));
-    const FT rounding = Tolerance<FT>::bisector() * (abs(m_focus.weight) + r + scale);
-    if(scale > 0)
-      return m_size > rounding;
-    const FT d = norm<FT>(m_to_right.x, m_to_right.y);
-    return d - abs(m_difference) > rounding && m_size > Tolerance<FT>::curvature() * d * d;
   }
 
   // Returns (d^2 - s^2) / 2, without loss where the two nearly cancel.

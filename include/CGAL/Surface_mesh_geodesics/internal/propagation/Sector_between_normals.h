@@ -24,6 +24,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Vertex_star.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/curves/Source_curves.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/curves/Source_halfedges.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Window.h>
 
 #include <boost/config.hpp>
@@ -60,20 +61,11 @@ class Sector_between_normals
 public:
   explicit Sector_between_normals(const Mesh& mesh) : m_mesh(mesh) {}
 
-  // Tells the edges of all curves. The last call counts. Edges without length have no normals.
-  void set_source_edges(const std::vector<Source_edge<FT>>& edges)
-  {
-    // Both sides, as a vertex of the border may see an edge from the one with a face only.
-    m_source_edges.clear();
-    for(const Source_edge<FT>& e : edges)
-      for(const Halfedge_id h : {e.left, e.right})
-        if(h != null_id && e.length > 0)
-          m_source_edges.push_back(Side{h, e.offset});
-    std::sort(m_source_edges.begin(), m_source_edges.end());
-  }
+  // Tells the edges of all curves. The last call counts.
+  void set_source_edges(const std::vector<Source_edge<FT>>& edges) { m_source_halfedges.set(edges); }
 
   // Is there no curve?
-  bool empty() const { return m_source_edges.empty(); }
+  bool empty() const { return m_source_halfedges.empty(); }
 
   // Finds the sector of the vertex of a star, and clears the flags of the faces that are outside. Takes time linear in
   // the number of faces, and logarithmic in that of edges of curves for each. Requires: the vertex is a source and not
@@ -122,14 +114,6 @@ public:
 
 private:
   // A halfedge on a curve, with the offset of the curve.
-  struct Side
-  {
-    Halfedge_id halfedge;
-    FT offset;
-
-    friend bool operator<(const Side& a, const Side& b) { return a.halfedge < b.halfedge; }
-  };
-
   // The part of the edge ba, opposite to the vertex, that is in the sector: from the abscissa `begin` to where `rest`
   // is left up to its end.
   struct Edge_part
@@ -141,8 +125,8 @@ private:
   // another source is there, emits in all directions.
   bool is_source_edge(Halfedge_id h, const Star& star) const
   {
-    const auto found = std::lower_bound(m_source_edges.begin(), m_source_edges.end(), Side{h, FT(0)});
-    return found != m_source_edges.end() && found->halfedge == h && !(star.distance < found->offset);
+    const FT* const offset = m_source_halfedges.offset(h);
+    return offset != nullptr && !(star.distance < *offset);
   }
 
   // Takes out the directions within a right angle of each edge of a curve at the vertex, less the slope. Quarters may
@@ -225,7 +209,7 @@ private:
   }
 
   const Mesh& m_mesh;
-  std::vector<Side> m_source_edges; // sorted by halfedge
+  Source_halfedges<FT> m_source_halfedges;
   std::vector<Edge_part> m_parts;   // by face of the star
   FT m_slope = 0; // tangent of the angle by which the sector is wider than it has to be
 };

@@ -27,7 +27,6 @@
 #include <array>
 #include <cstddef>
 #include <limits>
-#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_geodesics {
@@ -88,25 +87,21 @@ public:
   bool is_vertex(const Front& f, const Front& g, const Point& v) const
   {
     const FT rounding = m_images.width() + Tolerance<FT>::tie() * m_images.distance_from(f.right, v);
-    return excess_at(v, std::array<Vertex_id, 3>{f.left, f.right, g.right}) <= rounding;
+    return excess_at(v, {f.left, f.right, g.right}) <= rounding;
   }
 
   // Returns the best vertex for two fronts that do not meet, of all points where their pieces start and end. The cost
   // of a point is the amount by which the farthest of the three sites is farther than the nearest of all, plus the
-  // distances of the point from both fronts: zero, up to rounding, for a true vertex that both traces reach. A site
-  // whose paths come from other faces only tells nothing: its cell has no width here. The first point of the smallest
-  // cost is taken. Takes time linear in the number of these points, times that of images and pieces.
+  // distances of the point from both fronts: zero, up to rounding, for a true vertex that both traces reach. The first
+  // point of the smallest cost is taken. Takes time linear in the number of these points, times that of images and
+  // pieces.
   Point best_vertex(const Front& f, const Front& g) const
   {
     Point best = f.p;
     FT smallest = std::numeric_limits<FT>::infinity();
-    std::vector<Vertex_id> sites{f.left, f.right, g.right};
-    sites.erase(std::remove_if(sites.begin(), sites.end(),
-                               [&](Vertex_id site) { return m_images.nearest_of(site, f.p) == Face_images<FT>::none; }),
-                sites.end());
     const auto try_point = [&](const Point& p)
     {
-      const FT cost = excess_at(p, sites) + f.distance_from(p) + g.distance_from(p);
+      const FT cost = excess_at(p, {f.left, f.right, g.right}) + f.distance_from(p) + g.distance_from(p);
       if(!(cost < smallest))
         return;
       best = p;
@@ -123,17 +118,21 @@ public:
   }
 
 private:
-  // Returns how much farther the farthest of some sites is from p than the nearest of all sites; infinity if one of
-  // them has no image, 0 if there are none. Not negative beyond rounding.
-  template <typename Sites>
-  FT excess_at(const Point& p, const Sites& sites) const
+  // Returns how much farther the farthest of some sites is from p than the nearest of all sites. Not negative
+  // beyond rounding. A site without an image tells nothing: its paths come from other faces only, and its cell has no
+  // width here.
+  FT excess_at(const Point& p, const std::array<Vertex_id, 3>& sites) const
   {
     FT nearest = std::numeric_limits<FT>::infinity();
     for(const Site_image<FT>& image : m_images.all())
       nearest = (std::min)(nearest, image.distance_to(p));
     FT farthest = nearest;
     for(const Vertex_id site : sites)
-      farthest = (std::max)(farthest, m_images.distance_from(site, p));
+    {
+      const FT d = m_images.distance_from(site, p);
+      if(d < std::numeric_limits<FT>::infinity())
+        farthest = (std::max)(farthest, d);
+    }
     return farthest - nearest;
   }
 

@@ -42,6 +42,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/curves/Source_curves.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/curves/Source_halfedges.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/unfolding.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Vertex_rival.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Window_list_loops.h>
@@ -105,10 +106,9 @@ public:
       m_free.push_back(i);
     }
     m_slot.resize(3 * m_mesh.number_of_faces(), null_id);
-    for(const auto& edge : m_source_edges)
-      m_is_source_edge[dense_index(edge.first)] = false;
-    m_source_edges.clear();
-    m_is_source_edge.resize(3 * m_mesh.number_of_faces(), false);
+    m_source_halfedges.for_each_halfedge([&](Halfedge_id h) { m_is_source[dense_index(h)] = false; });
+    m_source_halfedges.clear();
+    m_is_source.resize(3 * m_mesh.number_of_faces(), false);
     m_foot.resize(m_mesh.number_of_vertices());
     m_maximum_distance = Field::infinity();
     m_number_crossed = m_number_created = 0;
@@ -136,14 +136,9 @@ public:
       const Source_edge<FT>& e = curves.edges[i];
       add_first_strip(e.left, e.offset, 2 * i, push);
       add_first_strip(e.right, e.offset, 2 * i + 1, push);
-      for(const Halfedge_id h : {e.left, e.right})
-        if(h != null_id)
-        {
-          m_source_edges.emplace_back(h, e.offset);
-          m_is_source_edge[dense_index(h)] = true;
-        }
     }
-    std::sort(m_source_edges.begin(), m_source_edges.end());
+    m_source_halfedges.set(curves.edges);
+    m_source_halfedges.for_each_halfedge([&](Halfedge_id h) { m_is_source[dense_index(h)] = true; });
   }
 
   // Does no strip wait? With points among the sources, or curves that reach little, most of a run goes on without any.
@@ -198,7 +193,7 @@ public:
   std::size_t table_memory() const
   {
     return m_foot.capacity() * sizeof(Strip_foot<FT>) + m_slot.capacity() * sizeof(std::uint32_t)
-         + m_is_source_edge.capacity() / 8 + m_source_edges.capacity() * sizeof(std::pair<Halfedge_id, FT>);
+         + m_is_source.capacity() / 8 + m_source_halfedges.memory();
   }
 
 private:
@@ -388,23 +383,20 @@ private:
       return {0, Field::infinity()};
     m_children.reserve(n, 0);
     Strip_children<FT> children = (m_loops(n).*loop)(m_crossing, n, side, m_children);
-    if(m_is_source_edge[dense_index(h)])
-      children = nearer_than_source(h, children);
+    if(m_is_source[dense_index(h)])
+      children = nearer_than(*m_source_halfedges.offset(h), children);
     m_number_created += children.number;
     return children;
   }
 
-  // Leaves those children out that are nowhere nearer than the source edge on which they wait.
-  Strip_children<FT> nearer_than_source(Halfedge_id h, const Strip_children<FT>& children)
+  // Leaves those children out that are nowhere nearer than the source edge on which they wait, which has this offset.
+  Strip_children<FT> nearer_than(const FT& offset, const Strip_children<FT>& children)
   {
-    const auto source = std::lower_bound(m_source_edges.begin(), m_source_edges.end(), h,
-                                         [](const auto& edge, Halfedge_id other) { return edge.first < other; });
-    CGAL_assertion(source != m_source_edges.end() && source->first == h);
     Strip_children<FT> result{0, Field::infinity()};
     for(std::size_t i = 0; i < children.number; ++i)
     {
       const FT least = m_children.get(i).minimum_distance();
-      if(!is_clearly_less(least, source->second))
+      if(!is_clearly_less(least, offset))
         continue;
       m_children.copy_row(i, result.number++);
       result.least_distance = (std::min)(result.least_distance, least);
@@ -472,8 +464,8 @@ private:
   std::vector<List> m_lists;
   std::vector<Halfedge_id> m_halfedge; // by place in m_lists: on which it waits; null_id if the place is free
   std::vector<std::uint32_t> m_free;
-  std::vector<bool> m_is_source_edge; // by halfedge
-  std::vector<std::pair<Halfedge_id, FT>> m_source_edges; // halfedges of these edges in ascending order, with offsets
+  Source_halfedges<FT> m_source_halfedges;
+  std::vector<bool> m_is_source; // by halfedge: is it one of these? (Nearly all crossings ask for nothing else.)
   Strip_columns<FT> m_crossing, m_children; // strips that cross a face, and their children; buffers between calls
   std::uint32_t m_most_faces_crossed = 0; // by one of m_crossing, or a bound of it
   Loops_by_length<Strip_list_loops<FT>> m_loops;
