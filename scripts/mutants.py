@@ -101,6 +101,8 @@ TARGET_REGION = INTERNAL + "propagation/rows/Target_region.h"
 PEELING = INTERNAL + "propagation/rows/peeling_order.h"
 MATRIX = INTERNAL + "propagation/rows/Distance_matrix.h"
 READER = INTERNAL + "interface/Face_graph_reader.h"
+CONSECUTIVE = INTERNAL + "interface/parameters/Consecutive_elements.h"
+FACE_SHAPES = INTERNAL + "interface/Face_shapes.h"
 SURFACE = INTERNAL + "interface/Intrinsic_surface.h"
 DEPARTURE = INTERNAL + "paths/Departure.h"
 WALK = INTERNAL + "interface/tracing/Straightest_walk.h"
@@ -364,6 +366,18 @@ MUTANTS = [
      "if(w.root_distance > m_distance[w.root] || w.number_of_faces_crossed() > m_mesh.most_faces_crossed()\n       || (Rules",
      "if(w.root_distance > m_distance[w.root] || (Rules",
      "paths around faces without area never end", (LIST_CROSSINGS,)),
+    ("removed_elements_read", CONSECUTIVE,
+     "return !tm.has_garbage(); }", "return tm.has_valid_index(vertex(0)); }",
+     "removed faces are read as if they were there", (BLOCKS,)),
+    ("points_of_user_shared", CONSECUTIVE,
+     "struct Has_shared_points : std::false_type", "struct Has_shared_points : std::true_type",
+     "several threads read a map of the user", (BLOCKS,)),
+    ("extent_of_last_block", FACE_SHAPES,
+     "largest = (std::max)(largest, largest_of_block);", "largest = largest_of_block;",
+     "the unit depends on the number of threads", (BLOCKS,)),
+    ("isolated_vertices_unnumbered", READER,
+     "      if(n < table.vertices.size())\n", "      if(n > table.vertices.size())\n",
+     "vertices that no face has get no number", (BLOCKS,)),
     ("lengths_cross_faces_once", READER,
      "    if(!Shape::has_points)\n      mesh.bound_faces_crossed_by_lengths();\n", "",
      "paths between lengths that cross a face more than once are lost", (ANALYTIC,)),

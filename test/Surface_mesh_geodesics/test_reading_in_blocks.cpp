@@ -1,5 +1,5 @@
 // Several threads that read a mesh in blocks make the same intrinsic mesh as one thread, in the same bits, and find the
-// same fault.
+// same fault. They share the reading of a Surface_mesh; maps of the user are read by the calling thread alone.
 
 #include "intrinsic_mesh_helpers.h"
 #include "mesh_operations.h"
@@ -16,11 +16,19 @@
 #include <CGAL/Surface_mesh_geodesics/internal/surface/face_shape.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/mesh_invariants.h>
 
+#include <CGAL/boost/graph/Euler_operations.h>
+
+#include <boost/property_map/property_map.hpp>
+
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
+#include <limits>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 using namespace test_meshes;
@@ -91,15 +99,60 @@ void exception_of_the_first_block_is_thrown()
   }
 }
 
+// --- maps of the user ------------------------------------------------------------------------------------------------
+
+// A map that returns what another one does, and notes whether another thread has ever read it.
+template <typename Map>
+struct Map_of_user
+{
+  using key_type = typename boost::property_traits<Map>::key_type;
+  using value_type = typename boost::property_traits<Map>::value_type;
+  using reference = value_type;
+  using category = boost::readable_property_map_tag;
+
+  Map map;
+  std::atomic<bool>* is_read_elsewhere;
+  std::thread::id reader = std::this_thread::get_id();
+
+  friend value_type get(const Map_of_user& m, const key_type& k)
+  {
+    if(std::this_thread::get_id() != m.reader)
+    {
+      *m.is_read_elsewhere = true;
+    }
+    return get(m.map, k);
+  }
+};
+
+template <typename Map>
+Map_of_user<Map> map_of_user(const Map& map, std::atomic<bool>& is_read_elsewhere)
+{
+  return {map, &is_read_elsewhere};
+}
+
+// Reads a mesh through maps of the user.
+template <typename Blocks_>
+Intrinsic mesh_through_maps(const Mesh& tm, const Blocks_& blocks)
+{
+  std::atomic<bool> is_read_elsewhere(false);
+  const Intrinsic result = intrinsic_mesh(tm, blocks, map_of_user(get(boost::vertex_index, tm), is_read_elsewhere),
+                                          map_of_user(get(boost::face_index, tm), is_read_elsewhere),
+                                          map_of_user(get(CGAL::vertex_point, tm), is_read_elsewhere));
+  CHECK(!is_read_elsewhere);
+  return result;
+}
+
 // --- meshes ----------------------------------------------------------------------------------------------------------
 
 void check_mesh(const Mesh& tm)
 {
   const Intrinsic expected = intrinsic_mesh(tm);
   CHECK(internal::are_invariants_kept(expected));
+  CHECK(is_same_mesh(mesh_through_maps(tm, internal::One_block()), expected));
   for(const std::size_t threads : numbers_of_threads)
   {
     CHECK(is_same_mesh(intrinsic_mesh(tm, blocks_of(threads)), expected));
+    CHECK(is_same_mesh(mesh_through_maps(tm, blocks_of(threads)), expected));
   }
 }
 
@@ -116,6 +169,82 @@ void meshes_are_the_same(test_support::Random& random)
     check_mesh(to_face_graph(without_faces(i % 2 == 0 ? noisy_sphere(5, .1, 7) : wavy_tube(60, 60), "with holes",
                                            [&](std::size_t) { return random.uniform(0., 1.) < .2 * (i + 1); })));
   }
+}
+
+// Removed elements leave gaps in the indices.
+void removed_elements_are_left_out(test_support::Random& random)
+{
+  test_support::Scope scope("removed elements");
+  Mesh tm = to_face_graph(noisy_sphere(5, .1, 9));
+  const std::vector<face_descriptor> all(faces(tm).begin(), faces(tm).end());
+  std::size_t removed = 0;
+  for(const face_descriptor f : all)
+  {
+    if(random.uniform(0., 1.) < .3)
+    {
+      CGAL::Euler::remove_face(halfedge(f, tm), tm);
+      ++removed;
+    }
+  }
+  CHECK(tm.number_of_removed_vertices() > 0 && tm.number_of_removed_faces() == removed);
+  check_mesh(tm);
+  CHECK_EQUAL(intrinsic_mesh(tm).number_of_faces(), all.size() - removed);
+  tm.collect_garbage();
+  check_mesh(tm);
+  CHECK_EQUAL(intrinsic_mesh(tm).number_of_faces(), all.size() - removed);
+}
+
+template <typename Read>
+std::string fault_of(const Read& read)
+{
+  try
+  {
+    read();
+  }
+  catch(const SMG::Invalid_geodesic_input& fault)
+  {
+    return fault.what() + std::to_string(fault.element());
+  }
+  return "none";
+}
+
+// One of several faults is found: the same by any number of threads and through any maps.
+void check_fault(const Mesh& tm)
+{
+  const std::string expected = fault_of([&]() { mesh_through_maps(tm, internal::One_block()); });
+  CHECK(expected != "none");
+  CHECK_EQUAL(fault_of([&]() { intrinsic_mesh(tm); }), expected);
+  for(const std::size_t threads : numbers_of_threads)
+  {
+    CHECK_EQUAL(fault_of([&]() { intrinsic_mesh(tm, blocks_of(threads)); }), expected);
+    CHECK_EQUAL(fault_of([&]() { mesh_through_maps(tm, blocks_of(threads)); }), expected);
+  }
+}
+
+void faults_of_meshes_are_the_same(test_support::Random& random)
+{
+  test_support::Scope scope("faults of meshes");
+  const Mesh valid = to_face_graph(noisy_sphere(5, .1, 11));
+  for(const double number : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e300})
+  {
+    Mesh tm = valid;
+    for(int k = 0; k < 3; ++k)
+    {
+      const auto v = vertex_descriptor(static_cast<std::uint32_t>(random.index(num_vertices(tm))));
+      tm.point(v) = Mesh::Point(tm.point(v).x(), number, 0);
+    }
+    check_fault(tm);
+  }
+  Mesh with_quads = valid;
+  for(int k = 0; k < 3; ++k)
+  {
+    const auto h = halfedge(*std::next(edges(with_quads).begin(),
+                                       static_cast<std::ptrdiff_t>(random.index(num_edges(with_quads)))), with_quads);
+    CGAL::Euler::join_face(h, with_quads);
+  }
+  check_fault(with_quads);
+  with_quads.collect_garbage();
+  check_fault(with_quads);
 }
 
 // --- the builder -----------------------------------------------------------------------------------------------------
@@ -175,20 +304,6 @@ void umbrellas_are_the_same()
   }
 }
 
-template <typename Blocks_>
-std::string fault_of(const Connected_faces& faces, const Blocks_& blocks)
-{
-  try
-  {
-    equilateral_mesh(faces, blocks);
-  }
-  catch(const SMG::Invalid_geodesic_input& fault)
-  {
-    return fault.what() + std::to_string(fault.element());
-  }
-  return "none";
-}
-
 // Faces that disagree with their neighbors.
 void faults_are_the_same(test_support::Random& random)
 {
@@ -201,11 +316,11 @@ void faults_are_the_same(test_support::Random& random)
       const std::size_t f = random.index(faces.size());
       faces[f].neighbor[random.index(3)] = static_cast<std::uint32_t>(f);
     }
-    const std::string expected = fault_of(faces, internal::One_block());
+    const std::string expected = fault_of([&]() { equilateral_mesh(faces, internal::One_block()); });
     CHECK(expected != "none");
     for(const std::size_t threads : numbers_of_threads)
     {
-      CHECK_EQUAL(fault_of(faces, blocks_of(threads)), expected);
+      CHECK_EQUAL(fault_of([&]() { equilateral_mesh(faces, blocks_of(threads)); }), expected);
     }
   }
 }
@@ -218,6 +333,8 @@ int main()
   each_number_belongs_to_one_block();
   exception_of_the_first_block_is_thrown();
   meshes_are_the_same(random);
+  removed_elements_are_left_out(random);
+  faults_of_meshes_are_the_same(random);
   umbrellas_are_the_same();
   faults_are_the_same(random);
   return test_result();

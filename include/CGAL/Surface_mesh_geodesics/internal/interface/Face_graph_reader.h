@@ -37,6 +37,12 @@
 //
 // What does not ask takes no walls: the named parameter does not compile for remeshing.
 //
+// Two ways to read. The elements of most models are met one by one, in the order of their ranges, as nothing is known
+// of their indices or of what several threads may do. A Surface_mesh without removed elements is an array: its elements
+// are read in blocks, in any order (Consecutive_elements.h). Both make the same intrinsic mesh, in the same bits, and
+// find the same fault first. A mesh with obstacles is read in the first way, whatever its type: the faces to avoid are
+// gaps as well.
+//
 // The steps of read(), and who does them:
 // 1. read_faces() checks the faces, and collects their corners and neighbors. Wall_cut takes them apart along walls.
 // 2. The builder numbers the faces, breadth first in each component, and drops components that are not wanted.
@@ -47,6 +53,7 @@
 
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Face_shapes.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/Consecutive_elements.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/One_block.h>
@@ -123,6 +130,7 @@ class Face_graph_reader
   using face_descriptor = typename Graph_traits::face_descriptor;
   using Correspondence = Face_graph_correspondence<TriangleMesh>;
   using Builder = Intrinsic_mesh_builder<FT>;
+  using Consecutive = Consecutive_elements<TriangleMesh, VertexIndexMap, FaceIndexMap>;
   using Reason = Invalid_geodesic_input::Reason;
 
 public:
@@ -136,7 +144,7 @@ public:
   // passes new ones. Shape is described in Face_shapes.h. Takes linear time.
   //
   // The arrays of the intrinsic mesh are filled in blocks (One_block.h). The user's mesh and maps are read by this
-  // thread only, as the public functions promise.
+  // thread only, as the public functions promise, unless Consecutive_elements.h says that others may help.
   //
   // If the mesh has several components, wanted_vertices() is called, after all faces have been checked. It returns a
   // flag for each index of a vertex: only the components connected to marked vertices become faces of the intrinsic
@@ -145,7 +153,7 @@ public:
   void read(Shape& shape, Intrinsic_mesh<FT>& mesh, Correspondence& table, Wanted_vertices wanted_vertices,
             const Blocks& blocks)
   {
-    read_faces();
+    read_faces(blocks);
     std::vector<std::uint32_t> copied;
     if(!m_obstacles.walls.empty())
       copied = Wall_cut(m_connected_faces, m_walls, num_vertices(m_tm)).take_copied();
@@ -162,9 +170,9 @@ public:
         builder.keep_components_of(is_wanted);
       }
     }
-    const std::size_t number_in_faces = number_vertices(builder, copied, table);
+    const std::size_t number_in_faces = number_vertices(builder, copied, table, blocks);
     // The vertices are numbered before their points are read, so that points lie in the order in which faces need them.
-    const int exponent = shape.prepare(table.vertices, number_in_faces);
+    const int exponent = shape.prepare(table.vertices, number_in_faces, blocks);
     mesh.set_unit(FT(std::ldexp(1., exponent)));
     const auto shape_of_face = [&](std::uint32_t f, const std::array<Vertex_id, 3>& v, Intrinsic_face<FT>& face)
     { return shape.shape(m_faces[f], f, v, face); };
@@ -178,14 +186,49 @@ public:
     if(!Shape::has_points)
       mesh.bound_faces_crossed_by_lengths();
     CGAL_expensive_assertion(are_invariants_kept(mesh));
-    fill_face_tables(builder, table);
+    fill_face_tables(builder, table, blocks);
   }
 
 private:
-  // Reads the faces with their corners and neighbors, and checks them and the index maps. The loop reads neighbors as
-  // indices, because a neighbor may come later in the range; its position is known behind the loop. Where indices are
-  // positions, as in a Surface_mesh without removed faces, that second pass is left out.
-  void read_faces()
+  // Reads the faces with their corners and neighbors, and checks them and the index maps.
+  template <typename Blocks>
+  void read_faces(const Blocks& blocks)
+  {
+    if constexpr(Consecutive::is_possible)
+      if(Consecutive::has_no_gaps(m_tm) && m_obstacles.is_avoided.empty() && m_obstacles.walls.empty())
+      {
+        m_is_consecutive = true;
+        read_consecutive_faces(blocks);
+        return;
+      }
+    read_faces_one_by_one();
+  }
+
+  // Faces and vertices have their positions as indices, so no index needs a check, and no neighbor a second look. A
+  // block writes its own faces only; of several faults, that of the first face is thrown (One_block.h).
+  template <typename Blocks>
+  void read_consecutive_faces(const Blocks& blocks)
+  {
+    const std::size_t n = num_faces(m_tm), number_of_vertices = num_vertices(m_tm);
+    if(n >= maximum_number_of_faces)
+      throw_for_size();
+    reserve_large(m_faces, n);
+    m_faces.resize(n);
+    reserve_large(m_connected_faces, n);
+    m_connected_faces.resize(n);
+    blocks(n, [&](std::size_t first, std::size_t last)
+    {
+      for(std::size_t i = first; i < last; ++i)
+      {
+        m_faces[i] = Consecutive::face(i);
+        connect(halfedges_of(m_faces[i], i), i, number_of_vertices, m_connected_faces[i]);
+      }
+    });
+  }
+
+  // The loop reads neighbors as indices, because a neighbor may come later in the range; its position is known behind
+  // the loop. Where indices are positions, that second pass is left out.
+  void read_faces_one_by_one()
   {
     // (Some models count their elements in each call.)
     const std::size_t range_of_indices = num_faces(m_tm), number_of_vertices = num_vertices(m_tm);
@@ -195,17 +238,16 @@ private:
     {
       if(is_left_out(f))
         continue;
-      const halfedge_descriptor h0 = halfedge(f, m_tm), h1 = next(h0, m_tm), h2 = next(h1, m_tm);
-      if(next(h2, m_tm) != h0 || h1 == h0 || h2 == h0)
-        throw_for_face(Reason::NOT_A_TRIANGLE, " is not a triangle");
+      const std::size_t position = m_faces.size();
+      const std::array<halfedge_descriptor, 3> h = halfedges_of(f, position);
       register_index(f, range_of_indices);
       m_faces.push_back(f);
       if(!m_obstacles.walls.empty())
         m_walls.push_back(m_obstacles.walls_of(index_of(f)));
-      m_connected_faces.push_back(
-        {corners(h0, h1, h2, number_of_vertices), {neighbor(h0), neighbor(h1), neighbor(h2)}});
+      m_connected_faces.emplace_back();
+      connect(h, position, number_of_vertices, m_connected_faces.back());
       if(m_faces.size() >= maximum_number_of_faces)
-        throw Invalid_geodesic_input(Reason::TOO_LARGE, "the mesh has too many faces");
+        throw_for_size();
     }
     if(!m_indices_are_positions)
       for(Connected_face& face : m_connected_faces)
@@ -229,12 +271,12 @@ private:
     return result;
   }
 
-  // Throw for the face at position m_faces.size(), which is being read.
-  [[noreturn]] void throw_for_face(Reason reason, const char* fault) const
+  [[noreturn]] static void throw_for_size()
   {
-    throw Invalid_geodesic_input(reason, "face " + std::to_string(m_faces.size()) + fault, m_faces.size());
+    throw Invalid_geodesic_input(Reason::TOO_LARGE, "the mesh has too many faces");
   }
 
+  // Throws for the face at position m_faces.size(), which is being read.
   [[noreturn]] void throw_for_index(const char* fault) const
   {
     throw Invalid_geodesic_input(Reason::INVALID_INDEX_MAP,
@@ -256,19 +298,29 @@ private:
     m_indices_are_positions = m_indices_are_positions && index == m_faces.size();
   }
 
-  // Returns the indices of the corners of the last face: the sources of its halfedges. Throws if two are the same
-  // vertex.
-  std::array<std::uint32_t, 3> corners(halfedge_descriptor h0, halfedge_descriptor h1, halfedge_descriptor h2,
-                                       std::size_t number_of_vertices) const
+  // Returns the halfedges of the face at a position, from halfedge(f, tm) on: all tables of halfedges begin with that
+  // one. Throws if the face is not a triangle. (One with one or two halfedges is none.)
+  std::array<halfedge_descriptor, 3> halfedges_of(face_descriptor f, std::size_t position) const
   {
-    // (A halfedge data structure stores targets; a source is one step away.)
-    const vertex_descriptor v0 = target(h2, m_tm), v1 = target(h0, m_tm), v2 = target(h1, m_tm);
+    const halfedge_descriptor h0 = halfedge(f, m_tm), h1 = next(h0, m_tm), h2 = next(h1, m_tm);
+    if(next(h2, m_tm) != h0 || h1 == h0 || h2 == h0)
+      throw Invalid_geodesic_input(Reason::NOT_A_TRIANGLE, "face " + std::to_string(position) + " is not a triangle",
+                                   position);
+    return {h0, h1, h2};
+  }
+
+  // Finds the corners and neighbors of the face at a position, given by its halfedges. Throws if two corners are the
+  // same vertex. (A halfedge data structure stores targets; a source is one step away.)
+  void connect(const std::array<halfedge_descriptor, 3>& h, std::size_t position, std::size_t number_of_vertices,
+               Connected_face& face) const
+  {
+    const vertex_descriptor v0 = target(h[2], m_tm), v1 = target(h[0], m_tm), v2 = target(h[1], m_tm);
     if(v0 == v1 || v1 == v2 || v2 == v0)
-      throw Invalid_geodesic_input(Reason::NON_MANIFOLD,
-                                   "face " + std::to_string(m_faces.size() - 1) + " has a vertex twice",
-                                   m_faces.size() - 1);
-    return {vertex_index(v0, number_of_vertices), vertex_index(v1, number_of_vertices),
-            vertex_index(v2, number_of_vertices)};
+      throw Invalid_geodesic_input(Reason::NON_MANIFOLD, "face " + std::to_string(position) + " has a vertex twice",
+                                   position);
+    face.corner = {vertex_index(v0, number_of_vertices), vertex_index(v1, number_of_vertices),
+                   vertex_index(v2, number_of_vertices)};
+    face.neighbor = {neighbor(h[0]), neighbor(h[1]), neighbor(h[2])};
   }
 
   // Returns the index of the face across h, or null_id if there is none. (A face that is not among faces(tm) counts as
@@ -285,18 +337,50 @@ private:
   // Fills the tables of vertices. Returns how many are in faces. Throws if two vertices have one index, or if a corner
   // of a face is not in vertices(tm). Takes linear time.
   //
-  // Corners come first: the builder has given them numbers below `number_in_faces`. The loop then meets all vertices in
-  // the user's order, and gives the next numbers to those that no face has, among them the vertices of components that
-  // were left out. Copies are corners with indices of their own, behind those of the user.
-  std::size_t number_vertices(Builder& builder, const std::vector<std::uint32_t>& copied, Correspondence& table) const
+  // Corners come first: the builder gives them numbers below the result. It does so in this thread, as the number of a
+  // corner depends on all faces before it. Copies are corners with indices of their own, behind those of the user.
+  template <typename Blocks>
+  std::size_t number_vertices(Builder& builder, const std::vector<std::uint32_t>& copied, Correspondence& table,
+                              const Blocks& blocks) const
   {
-    const std::size_t range_of_indices = num_vertices(m_tm), size = range_of_indices + copied.size();
+    const std::size_t size = num_vertices(m_tm) + copied.size();
     table.vertex_of_index.assign(size, null_id);
     const std::size_t number_in_faces = builder.number_vertices(table.vertex_of_index);
-    std::size_t n = number_in_faces;
     table.vertices.resize(size);
-    std::vector<char> is_known(size, 0);
-    std::size_t number_known = 0;
+    if(m_is_consecutive)
+      list_consecutive_vertices(number_in_faces, table, blocks);
+    else
+      list_vertices(number_in_faces, copied, table);
+    return number_in_faces;
+  }
+
+  // Numbers the vertices that no face has, and lists all of them. (Most meshes have no such vertex; then the first
+  // loop, which cannot be divided, is left out.) No corner can be missing: each was compared with the number of
+  // vertices.
+  template <typename Blocks>
+  static void list_consecutive_vertices(std::size_t number_in_faces, Correspondence& table, const Blocks& blocks)
+  {
+    if constexpr(Consecutive::is_possible)
+    {
+      std::size_t n = number_in_faces;
+      if(n < table.vertices.size())
+        for(std::uint32_t index = 0; index < table.vertices.size(); ++index)
+          Builder::number_of(index, table.vertex_of_index, n);
+      blocks(table.vertices.size(), [&](std::size_t first, std::size_t last)
+      {
+        for(std::size_t index = first; index < last; ++index)
+          table.vertices[table.vertex_of_index[index]] = Consecutive::vertex(index);
+      });
+    }
+  }
+
+  // The same for indices in any order. The loop meets all vertices in the user's order, and gives the next numbers to
+  // those that no face has, among them the vertices of components that were left out.
+  void list_vertices(std::size_t number_in_faces, const std::vector<std::uint32_t>& copied, Correspondence& table) const
+  {
+    const std::size_t range_of_indices = num_vertices(m_tm);
+    std::size_t n = number_in_faces, number_known = 0;
+    std::vector<char> is_known(table.vertices.size(), 0);
     for(vertex_descriptor v : vertices(m_tm))
     {
       const std::uint32_t index = vertex_index(v, range_of_indices);
@@ -314,7 +398,6 @@ private:
       throw Invalid_geodesic_input(Reason::INVALID_INDEX_MAP,
                                    "a face has a vertex that is not among those of the mesh");
     table.vertices.resize(n); // num_vertices() may count vertices that have been removed
-    return number_in_faces;
   }
 
   // Gives copies the descriptor of their vertex, and connects them with it. Returns how many there are: a copy in a
@@ -348,16 +431,27 @@ private:
   }
 
   // Fills the tables of faces. The builder has reordered the faces, and turned them so that their shortest edge is
-  // first. Edge 0 of a face at a position is halfedge(f, tm), as read_faces() has begun there.
-  void fill_face_tables(const Builder& builder, Correspondence& table) const
+  // first. Edge 0 of a face at a position is halfedge(f, tm), as read_faces() has begun there. The entry of each face
+  // is written once, so blocks do not disturb each other. What they read does not change any more.
+  template <typename Blocks>
+  void fill_face_tables(const Builder& builder, Correspondence& table, const Blocks& blocks) const
   {
     table.faces.resize(builder.number_of_faces());
-    for(Face_id i = 0; i < table.faces.size(); ++i)
-      table.faces[i] = m_faces[builder.position_of(i)];
-    table.halfedge_of_face_index.assign(m_position_of_index.size(), null_id);
-    for(std::size_t index = 0; index < m_position_of_index.size(); ++index)
-      if(m_position_of_index[index] != null_id)
-        table.halfedge_of_face_index[index] = builder.first_halfedge_at(m_position_of_index[index]);
+    blocks(table.faces.size(), [&](std::size_t first, std::size_t last)
+    {
+      for(std::size_t f = first; f < last; ++f)
+        table.faces[f] = m_faces[builder.position_of(static_cast<Face_id>(f))];
+    });
+    table.halfedge_of_face_index.resize(m_is_consecutive ? m_faces.size() : m_position_of_index.size());
+    blocks(table.halfedge_of_face_index.size(), [&](std::size_t first, std::size_t last)
+    {
+      for(std::size_t index = first; index < last; ++index)
+      {
+        const std::uint32_t position
+          = m_is_consecutive ? static_cast<std::uint32_t>(index) : m_position_of_index[index];
+        table.halfedge_of_face_index[index] = position == null_id ? null_id : builder.first_halfedge_at(position);
+      }
+    });
   }
 
   std::size_t index_of(face_descriptor f) const { return static_cast<std::size_t>(get(m_fim, f)); }
@@ -366,12 +460,14 @@ private:
   VertexIndexMap m_vim;
   FaceIndexMap m_fim;
   const Obstacles& m_obstacles;
+  // While a mesh is read, both tables of faces are as long as the part that has been read, or have all faces at once.
   std::vector<face_descriptor> m_faces;          // by position
   std::vector<Wall_bits> m_walls;                // by position, if there are walls
   std::vector<Connected_face> m_connected_faces; // by position; corners are indices of the user's map
   // By the index of the user's map; null_id for an index that no face has.
   std::vector<std::uint32_t> m_position_of_index;
   bool m_indices_are_positions = true; // of all faces
+  bool m_is_consecutive = false;       // were elements read without a look at their indices? (Consecutive_elements.h)
 };
 
 } // namespace internal

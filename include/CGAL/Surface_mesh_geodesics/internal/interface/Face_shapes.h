@@ -15,8 +15,9 @@
 //
 // A model of Shape has
 // - has_points: whether the surface is embedded in space;
-// - prepare(vertices, n): reads and checks what is scaled; returns the exponent of the power of two by which lengths
-//   are divided. `vertices` are the user's in the order of the intrinsic mesh, of which the first n are in faces;
+// - prepare(vertices, n, blocks): reads and checks what is scaled; returns the exponent of the power of two by which
+//   lengths are divided. `vertices` are the user's in the order of the intrinsic mesh, of which the first n are in
+//   faces. Its loops may be divided into blocks (One_block.h);
 // - shape(f, position, v, face): sets lengths and layout of a face of the intrinsic mesh, given as the user's face f at
 //   a position of faces(tm), and by the numbers v of its corners. Edge j of f leads from corner j to corner j+1.
 //   Returns the edge that has become halfedge 0, a shortest one. Several threads may call it if there are points;
@@ -31,6 +32,7 @@
 // An object refers to the mesh, copies the map, and is needed only while the mesh is read (Face_graph_reader.h).
 
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/Consecutive_elements.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/memory_hints.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_face.h>
@@ -45,6 +47,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -64,6 +67,10 @@ halfedges_of_triangle(typename boost::graph_traits<TriangleMesh>::face_descripto
 // Shapes from the points of the vertices. prepare() reads each point once, in the order in which the faces will ask for
 // them, and scales it by a power of two. The values of VertexPointMap have members x(), y(), z() that CGAL::to_double()
 // takes; get() may return them by value or by reference.
+//
+// Several threads read the points if Has_shared_points says so: each reads a block of the vertices, and writes its own
+// part of m_points. The points of any other map are read by the calling thread alone; the scaling is shared then, too,
+// as it sees the copies only.
 template <typename FT, typename TriangleMesh, typename VertexPointMap>
 class Shape_from_points
 {
@@ -82,26 +89,43 @@ public:
   //
   // Coordinates are compared with those of the first point, not with 0: a mesh far from the origin is as large as its
   // extent. One comparison finds all faults: the difference from a coordinate that is infinite or NaN is so itself, and
-  // coordinates that are too far from each other may each be valid.
-  int prepare(const std::vector<vertex_descriptor>& numbered_vertices, std::size_t number_in_faces)
+  // coordinates that are too far from each other may each be valid. The largest difference is the same for any blocks.
+  template <typename Blocks>
+  int prepare(const std::vector<vertex_descriptor>& numbered_vertices, std::size_t number_in_faces,
+              const Blocks& blocks)
   {
-    reserve_large(m_points, numbered_vertices.size());
+    const std::size_t n = numbered_vertices.size();
+    if(n == 0)
+      return scaling_exponent(0.);
+    reserve_large(m_points, n);
+    m_points.resize(n);
+    const Coordinates first_point = point(numbered_vertices.front());
     double largest = 0;
-    for(vertex_descriptor v : numbered_vertices)
+    std::mutex mutex; // of `largest`
+    const auto read = [&](std::size_t first, std::size_t last)
     {
-      const auto& p = get(m_vpm, v);
-      m_points.push_back({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
-      for(std::size_t i = 0; i < 3; ++i)
+      double largest_of_block = 0;
+      for(std::size_t v = first; v < last; ++v)
       {
-        const double extent = std::abs(m_points.back()[i] - m_points.front()[i]);
-        if(!(extent <= largest_extent()))
-          reject_point();
-        if(m_points.size() <= number_in_faces)
-          largest = (std::max)(largest, extent);
+        m_points[v] = point(numbered_vertices[v]);
+        for(std::size_t i = 0; i < 3; ++i)
+        {
+          const double extent = std::abs(m_points[v][i] - first_point[i]);
+          if(!(extent <= largest_extent()))
+            reject_point();
+          if(v < number_in_faces)
+            largest_of_block = (std::max)(largest_of_block, extent);
+        }
       }
-    }
+      const std::lock_guard<std::mutex> lock(mutex);
+      largest = (std::max)(largest, largest_of_block);
+    };
+    if constexpr(Has_shared_points<TriangleMesh, VertexPointMap>::value)
+      blocks(n, read);
+    else
+      read(0, n);
     const int exponent = scaling_exponent(largest);
-    scale_points(std::ldexp(1., -exponent));
+    blocks(n, [&](std::size_t first, std::size_t last) { scale_points(first, last, std::ldexp(1., -exponent)); });
     return exponent;
   }
 
@@ -123,13 +147,26 @@ public:
   }
 
 private:
+  // (Without the first constructor, a vector of points would be zeroed before they are read, by one thread.)
+  struct Coordinates : std::array<double, 3>
+  {
+    Coordinates() {}
+    Coordinates(double x, double y, double z) : std::array<double, 3>{{x, y, z}} {}
+  };
+
+  Coordinates point(vertex_descriptor v) const
+  {
+    const auto& p = get(m_vpm, v);
+    return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+  }
+
   // If a coordinate overflows, all vertices in faces share it: the next larger number would be farther away than the
   // extent. Any number serves then. (The factor is greater than 1 for such a tiny mesh far from the origin. Isolated
   // vertices may differ, but have no lengths.)
-  void scale_points(double factor)
+  void scale_points(std::size_t first, std::size_t last, double factor)
   {
-    for(std::array<double, 3>& p : m_points)
-      for(double& x : p)
+    for(std::size_t v = first; v < last; ++v)
+      for(double& x : m_points[v])
         x = std::isfinite(x * factor) ? x * factor : 0.;
   }
 
@@ -141,8 +178,7 @@ private:
     std::size_t position = 0, culprit = 0;
     for(vertex_descriptor v : vertices(m_tm))
     {
-      const auto& p = get(m_vpm, v);
-      for(const double x : {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())})
+      for(const double x : point(v))
         if(!(std::abs(x) <= largest_extent()) && culprit == 0)
           culprit = position + 1;
       ++position;
@@ -159,13 +195,13 @@ private:
   // a power of two.
   Space_vector<FT> difference(Vertex_id b, Vertex_id a) const
   {
-    const std::array<double, 3>&p = m_points[a], &q = m_points[b];
+    const Coordinates &p = m_points[a], &q = m_points[b];
     return {FT(FT(q[0]) - FT(p[0])), FT(FT(q[1]) - FT(p[1])), FT(FT(q[2]) - FT(p[2]))};
   }
 
   const TriangleMesh& m_tm;
   VertexPointMap m_vpm;
-  std::vector<std::array<double, 3>> m_points; // of the numbered vertices, scaled
+  std::vector<Coordinates> m_points; // of the numbered vertices, scaled
 };
 
 // Shapes from a map of edge lengths. prepare() checks the range of all lengths, shape() the triangle inequality. The
@@ -186,8 +222,8 @@ public:
 
   // Checks the lengths of all edges, in the order of edges(tm). The map is read again by shape(), so that no table of
   // lengths is needed. Edges without faces are checked, too, and count for the unit.
-  template <typename Vertices>
-  int prepare(const Vertices&, std::size_t)
+  template <typename Vertices, typename Blocks>
+  int prepare(const Vertices&, std::size_t, const Blocks&)
   {
     double largest = 0;
     std::size_t n = 0;

@@ -279,8 +279,7 @@ public:
     find_umbrellas();
     fill_stars(blocks);
     find_bends(blocks);
-    for(const Face& f : m_faces)
-      mark_degenerate(f);
+    find_degenerate(blocks);
     m_faces_crossed_by_lengths = 0;
     count_most_faces_crossed();
   }
@@ -511,14 +510,29 @@ private:
   void mark_degenerate(const Face& f)
   {
     const bool is_flat = has_no_height(f);
-    if(!is_flat && f.length[0] > Tolerance<FT>::length())
-      return;
     for(unsigned int k = 0; k < 3; ++k)
       if(is_flat || f.length[k] <= Tolerance<FT>::length())
       {
         m_vertex_kind[f.vertex[k]] |= DEGENERATE | PSEUDO_SOURCE;
         m_vertex_kind[f.vertex[next_corner(k)]] |= DEGENERATE | PSEUDO_SOURCE;
       }
+  }
+
+  // Does so for all faces. Faces of different blocks have common vertices, but such faces are rare: no block waits for
+  // another one. A mark is set whichever face comes first, so the result does not depend on the blocks.
+  template <typename Blocks>
+  void find_degenerate(const Blocks& blocks)
+  {
+    std::mutex mutex; // of the kinds of vertices
+    blocks(m_faces.size(), [&](std::size_t first, std::size_t last)
+    {
+      for(std::size_t f = first; f < last; ++f)
+        if(m_faces[f].length[0] <= Tolerance<FT>::length() || has_no_height(m_faces[f]))
+        {
+          const std::lock_guard<std::mutex> lock(mutex);
+          mark_degenerate(m_faces[f]);
+        }
+    });
   }
 
   // If sources have divided a face into n+1 faces, a path that crosses the face once crosses at most n+1 of them. On a

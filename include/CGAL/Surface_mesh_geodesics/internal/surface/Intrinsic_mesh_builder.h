@@ -44,6 +44,9 @@ namespace internal {
 struct Connected_face
 {
   std::array<std::uint32_t, 3> corner, neighbor;
+
+  // Leaves the members uninitialized. (Without this constructor, a vector of faces would be zeroed before it is set.)
+  Connected_face() {}
 };
 
 // Call the member functions in the order in which they stand; keep_components_of() may be left out. Throws
@@ -194,7 +197,7 @@ private:
         m_first_of_component.push_back(static_cast<Face_id>(m_faces.size()));
       while(m_faces.size() < end)
       {
-        prefetch(&faces[m_order[(std::min)(m_faces.size() + faces_ahead, end - 1)]]);
+        prefetch_names(faces, end);
         m_faces.push_back(faces[m_order[m_faces.size()]]);
         for(std::uint32_t& neighbor : m_faces.back().neighbor)
           if(neighbor < n)
@@ -204,6 +207,15 @@ private:
       }
     }
     m_order.resize(n);
+  }
+
+  // Asks for a face that will be read soon, and for the numbers of the neighbors of one that has been asked for.
+  void prefetch_names(const std::vector<Connected_face>& faces, std::size_t end) const
+  {
+    const std::size_t next = m_faces.size(), last = faces.size() - 1;
+    prefetch(&faces[m_order[(std::min)(next + 2 * faces_ahead, end - 1)]]);
+    for(const std::uint32_t neighbor : faces[m_order[(std::min)(next + faces_ahead, end - 1)]].neighbor)
+      prefetch(&m_name[(std::min)(std::size_t(neighbor), last)]);
   }
 
   // Appends the face at a position to the order, unless it is there, and returns its number. (Without a branch, as none
@@ -308,7 +320,7 @@ private:
                                        + "beside the mesh", m_order[i]);
   }
 
-  static constexpr std::size_t faces_ahead = 4; // that are asked for before they are read
+  static constexpr std::size_t faces_ahead = 4; // of those whose neighbors are read
 
   std::vector<Connected_face> m_faces; // by number; the corners become vertices in number_vertices()
   std::vector<std::uint32_t> m_order;  // by number: the position of the face

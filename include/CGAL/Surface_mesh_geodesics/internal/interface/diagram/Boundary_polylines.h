@@ -84,7 +84,8 @@ private:
     }
   };
 
-  // Appends a polyline for each loop that has a length.
+  // Appends a polyline for each loop that has a length. A loop that rounding has shrunk has fewer points than a curve
+  // needs: three if it is closed, as the first one counts twice, else two.
   void add(const std::vector<Cell_loop>& loops, std::vector<Polyline>& result) const
   {
     for(const Cell_loop& loop : loops)
@@ -117,7 +118,8 @@ private:
     p.vertices.back() = p.vertices.front();
   }
 
-  // Appends the samples of an arc. Its first point is that of the piece before.
+  // Appends the samples of an arc. Its first point is that of the piece before. The samples run as the arc does, which
+  // may be against the loop. An arc without length adds no point, but its ends may be vertices of the diagram.
   void add_arc(const Oriented_index& a, Growing& g) const
   {
     const auto& complex = m_diagram.complex();
@@ -135,7 +137,8 @@ private:
     g.set_vertex(m_diagram.elements().vertex_of_node(a.second ? arc.first_node : arc.last_node));
   }
 
-  // Appends the end of a part of a border edge, and its beginning if the polyline has no point yet.
+  // Appends the end of a part of a border edge, and its beginning if the polyline has no point yet. A piece without
+  // nodes is a whole edge.
   void add_border(const Cell_loop_piece& piece, Growing& g) const
   {
     const double length = m_diagram.refined_mesh().length(piece.border);

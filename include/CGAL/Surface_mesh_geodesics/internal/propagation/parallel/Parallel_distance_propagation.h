@@ -323,7 +323,7 @@ private:
     const bool is_worth_it = n >= smallest_shared_batch;
     if(Keeper::is_deferred)
       m_division.sort_batches();
-    else if(is_worth_it)
+    else if(is_worth_it && m_round % rounds_per_balance == 0)
       m_division.balance();
     make_units(n);
     m_relay.begin_batch(m_units.size(), keepers());
@@ -546,6 +546,9 @@ private:
   {
     return [this](Vertex_id v, const FT& key) { m_division.push(v, key); };
   }
+
+  // Regions drift apart slowly. Until they are balanced again, threads help each other.
+  static constexpr std::uint32_t rounds_per_balance = 8;
 
   static constexpr std::size_t smallest_shared_update = 16; // visits that have left messages
   static constexpr std::size_t smallest_shared_batch = 6;   // visits
