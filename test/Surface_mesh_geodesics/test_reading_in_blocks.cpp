@@ -1,5 +1,6 @@
-// Several threads that read a mesh in blocks make the same intrinsic mesh as one thread, in the same bits, and find the
-// same fault. They share the reading of a Surface_mesh; maps of the user are read by the calling thread alone.
+// Several threads that read a mesh in blocks make the same intrinsic mesh and the same tables as one thread, in the
+// same bits, and find the same fault. They share the reading of a Surface_mesh; the calling thread alone reads maps of
+// the user.
 
 #include "intrinsic_mesh_helpers.h"
 #include "mesh_operations.h"
@@ -8,6 +9,9 @@
 #include "thread_team.h"
 
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Face_shapes.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Intrinsic_surface.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/Consecutive_elements.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/One_block.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Block_team.h>
@@ -16,7 +20,15 @@
 #include <CGAL/Surface_mesh_geodesics/internal/surface/face_shape.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/mesh_invariants.h>
 
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/Face_filtered_graph.h>
+#include <CGAL/boost/graph/named_params_helper.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -130,29 +142,119 @@ Map_of_user<Map> map_of_user(const Map& map, std::atomic<bool>& is_read_elsewher
   return {map, &is_read_elsewhere};
 }
 
-// Reads a mesh through maps of the user.
-template <typename Blocks_>
-Intrinsic mesh_through_maps(const Mesh& tm, const Blocks_& blocks)
+// --- which maps are read in blocks -----------------------------------------------------------------------------------
+
+template <typename TriangleMesh, typename VertexIndexMap, typename FaceIndexMap>
+constexpr bool is_consecutive(const TriangleMesh&, const VertexIndexMap&, const FaceIndexMap&)
 {
-  std::atomic<bool> is_read_elsewhere(false);
-  const Intrinsic result = intrinsic_mesh(tm, blocks, map_of_user(get(boost::vertex_index, tm), is_read_elsewhere),
-                                          map_of_user(get(boost::face_index, tm), is_read_elsewhere),
-                                          map_of_user(get(CGAL::vertex_point, tm), is_read_elsewhere));
-  CHECK(!is_read_elsewhere);
-  return result;
+  return internal::Consecutive_elements<TriangleMesh, VertexIndexMap, FaceIndexMap>::is_possible;
+}
+
+template <typename TriangleMesh>
+using Own_points = typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::const_type;
+
+template <typename Kernel_>
+constexpr bool has_shared_points
+  = internal::Has_shared_points<CGAL::Surface_mesh<typename Kernel_::Point_3>,
+                                Own_points<CGAL::Surface_mesh<typename Kernel_::Point_3>>>::value;
+
+static_assert(has_shared_points<CGAL::Simple_cartesian<double>> && has_shared_points<CGAL::Simple_cartesian<float>>
+                && has_shared_points<CGAL::Exact_predicates_inexact_constructions_kernel>,
+              "points with built-in numbers");
+static_assert(!has_shared_points<CGAL::Exact_predicates_exact_constructions_kernel>
+                && !has_shared_points<CGAL::Simple_cartesian<CGAL::Exact_rational>>,
+              "points with other numbers");
+static_assert(!internal::Has_shared_points<Mesh, Map_of_user<Own_points<Mesh>>>::value, "points of the user");
+
+struct Mesh_of_user : Mesh
+{};
+
+// The maps that the functions find, and those that are the defaults of classes.
+void only_maps_of_the_mesh_are_read_in_blocks()
+{
+  Mesh tm;
+  const Mesh_of_user derived;
+  const auto np = CGAL::parameters::default_values();
+  const auto own_vertices = get(boost::vertex_index, tm);
+  const auto own_faces = get(boost::face_index, tm);
+  const auto vertices_of_user = tm.add_property_map<vertex_descriptor, std::uint32_t>("v:index_of_user").first;
+  CHECK(is_consecutive(tm, own_vertices, own_faces));
+  CHECK(is_consecutive(tm, CGAL::get_initialized_vertex_index_map(tm, np),
+                       CGAL::get_initialized_face_index_map(tm, np)));
+  CHECK(!is_consecutive(tm, vertices_of_user, own_faces));
+  CHECK(!is_consecutive(derived, own_vertices, own_faces));
+  CHECK(!is_consecutive(CGAL::Face_filtered_graph<Mesh>(tm), own_vertices, own_faces));
 }
 
 // --- meshes ----------------------------------------------------------------------------------------------------------
 
-void check_mesh(const Mesh& tm)
+// An intrinsic mesh, and what the tables between it and the user's mesh say.
+struct Read_mesh
 {
-  const Intrinsic expected = intrinsic_mesh(tm);
-  CHECK(internal::are_invariants_kept(expected));
-  CHECK(is_same_mesh(mesh_through_maps(tm, internal::One_block()), expected));
-  for(const std::size_t threads : numbers_of_threads)
+  Intrinsic mesh;
+  std::vector<vertex_descriptor> vertices;  // of the vertices of the intrinsic mesh
+  std::vector<internal::Vertex_id> ids;     // of the vertices of the user
+  std::vector<face_descriptor> faces;       // of the faces of the intrinsic mesh
+  std::vector<internal::Halfedge_id> first; // of the faces of the user; null_id if a face was left out
+
+  friend bool operator==(const Read_mesh& a, const Read_mesh& b)
   {
-    CHECK(is_same_mesh(intrinsic_mesh(tm, blocks_of(threads)), expected));
-    CHECK(is_same_mesh(mesh_through_maps(tm, blocks_of(threads)), expected));
+    return is_same_mesh(a.mesh, b.mesh) && a.mesh.unit() == b.mesh.unit() && a.vertices == b.vertices
+        && a.ids == b.ids && a.faces == b.faces && a.first == b.first;
+  }
+};
+
+// Reads a mesh, or only what a source can reach.
+template <typename Blocks_, typename VertexIndexMap, typename FaceIndexMap, typename VertexPointMap>
+Read_mesh read(const Mesh& tm, const vertex_descriptor* source, const Blocks_& blocks, VertexIndexMap vim,
+               FaceIndexMap fim, VertexPointMap vpm)
+{
+  using Surface = internal::Intrinsic_surface<double, Mesh, VertexIndexMap, FaceIndexMap>;
+  const internal::Shape_from_points<double, Mesh, VertexPointMap> shape(tm, vpm);
+  const Surface surface = source == nullptr ? Surface(tm, vim, fim, shape, blocks)
+                                            : Surface(tm, vim, fim, shape, std::vector{*source}, blocks);
+  Read_mesh result{surface.mesh(), {}, {}, {}, {}};
+  for(internal::Vertex_id v = 0; v < surface.number_of_vertices(); ++v)
+    result.vertices.push_back(surface.descriptor(v));
+  for(const vertex_descriptor v : vertices(tm))
+    result.ids.push_back(surface.id(v));
+  for(internal::Face_id f = 0; f < surface.mesh().number_of_faces(); ++f)
+    result.faces.push_back(surface.descriptor_of_face(f));
+  for(const face_descriptor f : faces(tm))
+    result.first.push_back(surface.first_halfedge(f));
+  return result;
+}
+
+// Reads a mesh through its own maps, or some maps of the user instead.
+enum Maps_of_user { NONE = 0, INDICES = 1, POINTS = 2, ALL = 3 };
+
+template <typename Blocks_>
+Read_mesh read(const Mesh& tm, Maps_of_user maps, const Blocks_& blocks, const vertex_descriptor* source = nullptr)
+{
+  std::atomic<bool> is_read_elsewhere(false);
+  const auto vim = get(boost::vertex_index, tm);
+  const auto fim = get(boost::face_index, tm);
+  const auto vpm = get(CGAL::vertex_point, tm);
+  const auto user = [&](const auto& map) { return map_of_user(map, is_read_elsewhere); };
+  const Read_mesh result = maps == NONE      ? read(tm, source, blocks, vim, fim, vpm)
+                         : maps == INDICES ? read(tm, source, blocks, user(vim), user(fim), vpm)
+                         : maps == POINTS  ? read(tm, source, blocks, vim, fim, user(vpm))
+                                           : read(tm, source, blocks, user(vim), user(fim), user(vpm));
+  CHECK(!is_read_elsewhere);
+  return result;
+}
+
+void check_mesh(const Mesh& tm, const vertex_descriptor* source = nullptr)
+{
+  const Read_mesh expected = read(tm, ALL, internal::One_block(), source);
+  CHECK(internal::are_invariants_kept(expected.mesh));
+  for(const Maps_of_user maps : {NONE, INDICES, POINTS, ALL})
+  {
+    CHECK(read(tm, maps, internal::One_block(), source) == expected);
+    for(const std::size_t threads : numbers_of_threads)
+    {
+      CHECK(read(tm, maps, blocks_of(threads), source) == expected);
+    }
   }
 }
 
@@ -163,19 +265,40 @@ void meshes_are_the_same(test_support::Random& random)
   check_mesh(to_face_graph(noisy_sphere(5, .1, 3)));
   check_mesh(to_face_graph(rough_terrain(80, .3, 5)));
   check_mesh(to_face_graph(saddle_fan(5000))); // all faces around one vertex
+  check_mesh(Mesh());
+  Mesh vertices_alone;
+  for(int i = 0; i < 5000; ++i)
+  {
+    vertices_alone.add_vertex(Mesh::Point(i, 0, 0));
+  }
+  check_mesh(vertices_alone);
+  Mesh without_area = to_face_graph(icosphere(4)); // all its faces are degenerate
+  for(const vertex_descriptor v : vertices(without_area))
+  {
+    without_area.point(v) = Mesh::Point(without_area.point(v).x(), 0, 0);
+  }
+  check_mesh(without_area);
   for(int i = 0; i < 4; ++i)
   {
     // Borders, pinched and isolated vertices, many components.
     check_mesh(to_face_graph(without_faces(i % 2 == 0 ? noisy_sphere(5, .1, 7) : wavy_tube(60, 60), "with holes",
                                            [&](std::size_t) { return random.uniform(0., 1.) < .2 * (i + 1); })));
+    const Mesh tm = to_face_graph(without_faces(noisy_sphere(5, .1, 8), "in pieces",
+                                                [&](std::size_t) { return random.uniform(0., 1.) < .5; }));
+    const vertex_descriptor source(static_cast<std::uint32_t>(random.index(num_vertices(tm))));
+    check_mesh(tm, &source);
   }
 }
 
-// Removed elements leave gaps in the indices.
+// Removed elements leave gaps in the indices, and new ones may fill them.
 void removed_elements_are_left_out(test_support::Random& random)
 {
   test_support::Scope scope("removed elements");
   Mesh tm = to_face_graph(noisy_sphere(5, .1, 9));
+  const vertex_descriptor alone = tm.add_vertex(Mesh::Point(1, 2, 3));
+  tm.remove_vertex(alone); // nothing else is missing
+  CHECK(tm.has_garbage());
+  check_mesh(tm);
   const std::vector<face_descriptor> all(faces(tm).begin(), faces(tm).end());
   std::size_t removed = 0;
   for(const face_descriptor f : all)
@@ -186,20 +309,24 @@ void removed_elements_are_left_out(test_support::Random& random)
       ++removed;
     }
   }
-  CHECK(tm.number_of_removed_vertices() > 0 && tm.number_of_removed_faces() == removed);
+  CHECK(tm.number_of_removed_vertices() > 1 && tm.number_of_removed_faces() == removed);
   check_mesh(tm);
   CHECK_EQUAL(intrinsic_mesh(tm).number_of_faces(), all.size() - removed);
-  tm.collect_garbage();
+  Mesh collected = tm;
+  collected.collect_garbage();
+  check_mesh(collected);
+  CHECK_EQUAL(intrinsic_mesh(collected).number_of_faces(), all.size() - removed);
+  const auto added = [&](double x) { return tm.add_vertex(Mesh::Point(x, 5, 5)); };
+  tm.add_face(added(0), added(1), added(.5)); // of elements that had been removed
   check_mesh(tm);
-  CHECK_EQUAL(intrinsic_mesh(tm).number_of_faces(), all.size() - removed);
 }
 
-template <typename Read>
-std::string fault_of(const Read& read)
+template <typename Function>
+std::string fault_of(const Function& function)
 {
   try
   {
-    read();
+    function();
   }
   catch(const SMG::Invalid_geodesic_input& fault)
   {
@@ -211,13 +338,15 @@ std::string fault_of(const Read& read)
 // One of several faults is found: the same by any number of threads and through any maps.
 void check_fault(const Mesh& tm)
 {
-  const std::string expected = fault_of([&]() { mesh_through_maps(tm, internal::One_block()); });
+  const std::string expected = fault_of([&]() { read(tm, ALL, internal::One_block()); });
   CHECK(expected != "none");
-  CHECK_EQUAL(fault_of([&]() { intrinsic_mesh(tm); }), expected);
-  for(const std::size_t threads : numbers_of_threads)
+  for(const Maps_of_user maps : {NONE, INDICES, POINTS, ALL})
   {
-    CHECK_EQUAL(fault_of([&]() { intrinsic_mesh(tm, blocks_of(threads)); }), expected);
-    CHECK_EQUAL(fault_of([&]() { mesh_through_maps(tm, blocks_of(threads)); }), expected);
+    CHECK_EQUAL(fault_of([&]() { read(tm, maps, internal::One_block()); }), expected);
+    for(const std::size_t threads : numbers_of_threads)
+    {
+      CHECK_EQUAL(fault_of([&]() { read(tm, maps, blocks_of(threads)); }), expected);
+    }
   }
 }
 
@@ -245,6 +374,17 @@ void faults_of_meshes_are_the_same(test_support::Random& random)
   check_fault(with_quads);
   with_quads.collect_garbage();
   check_fault(with_quads);
+  for(const std::uint32_t index : {0u, 1000000000u}) // an index that another corner has, and one of no vertex
+  {
+    Mesh tm = valid;
+    for(int k = 0; k < 3; ++k)
+    {
+      const auto f = face_descriptor(static_cast<std::uint32_t>(random.index(num_faces(tm))));
+      const auto h = halfedge(f, tm);
+      tm.set_target(h, index == 0 ? tm.target(tm.next(h)) : vertex_descriptor(index));
+    }
+    check_fault(tm);
+  }
 }
 
 // --- the builder -----------------------------------------------------------------------------------------------------
@@ -330,6 +470,7 @@ void faults_are_the_same(test_support::Random& random)
 int main()
 {
   test_support::Random random(test_support::announce_seed(20261123));
+  only_maps_of_the_mesh_are_read_in_blocks();
   each_number_belongs_to_one_block();
   exception_of_the_first_block_is_thrown();
   meshes_are_the_same(random);

@@ -13,25 +13,20 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <type_traits>
 
 namespace test_meshes {
 
-template <typename Blocks, typename VertexIndexMap, typename FaceIndexMap, typename VertexPointMap>
-CGAL::Surface_mesh_geodesics::internal::Intrinsic_mesh<double>
-intrinsic_mesh(const Mesh& tm, Blocks blocks, VertexIndexMap vim, FaceIndexMap fim, VertexPointMap vpm)
-{
-  namespace internal = CGAL::Surface_mesh_geodesics::internal;
-  const internal::Intrinsic_surface<double, Mesh, VertexIndexMap, FaceIndexMap> surface(
-    tm, vim, fim, internal::Shape_from_points<double, Mesh, VertexPointMap>(tm, vpm), blocks);
-  return surface.mesh();
-}
-
-// With the maps of the mesh.
 template <typename Blocks = CGAL::Surface_mesh_geodesics::internal::One_block>
 CGAL::Surface_mesh_geodesics::internal::Intrinsic_mesh<double> intrinsic_mesh(const Mesh& tm, Blocks blocks = Blocks())
 {
-  return intrinsic_mesh(tm, blocks, get(boost::vertex_index, tm), get(boost::face_index, tm),
-                        get(CGAL::vertex_point, tm));
+  namespace internal = CGAL::Surface_mesh_geodesics::internal;
+  const auto vim = get(boost::vertex_index, tm);
+  const auto fim = get(boost::face_index, tm);
+  const auto vpm = get(CGAL::vertex_point, tm);
+  const internal::Intrinsic_surface<double, Mesh, std::decay_t<decltype(vim)>, std::decay_t<decltype(fim)>> surface(
+    tm, vim, fim, internal::Shape_from_points<double, Mesh, std::decay_t<decltype(vpm)>>(tm, vpm), blocks);
+  return surface.mesh();
 }
 
 // A copy of a mesh that counts the halfedges around vertices that are visited.

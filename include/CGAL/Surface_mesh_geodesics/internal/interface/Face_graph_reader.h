@@ -38,10 +38,10 @@
 // What does not ask takes no walls: the named parameter does not compile for remeshing.
 //
 // Two ways to read. The elements of most models are met one by one, in the order of their ranges, as nothing is known
-// of their indices or of what several threads may do. A Surface_mesh without removed elements is an array: its elements
-// are read in blocks, in any order (Consecutive_elements.h). Both make the same intrinsic mesh, in the same bits, and
-// find the same fault first. A mesh with obstacles is read in the first way, whatever its type: the faces to avoid are
-// gaps as well.
+// of their indices or of what several threads may do. A Surface_mesh without removed elements, with its own index maps,
+// is an array: its elements are read in blocks, in any order (Consecutive_elements.h). Both ways make the same mesh, in
+// the same bits, and find the same fault first. A mesh with obstacles is read in the first way, whatever its type: faces
+// to avoid are gaps as well, and walls are noted face by face.
 //
 // The steps of read(), and who does them:
 // 1. read_faces() checks the faces, and collects their corners and neighbors. Wall_cut takes them apart along walls.
@@ -117,7 +117,7 @@ struct Face_graph_correspondence
 // Faults are searched for in this order, and the first one that is found is thrown: face by face, whether it is a
 // triangle and has a valid index, and whether its vertices differ and have valid indices; then whether vertices have
 // different indices; then the points or lengths (Face_shapes.h), the triangle inequality, whether neighbors agree about
-// their edge, and the sizes of components.
+// their edge, and the sizes of components. That there are too many faces is found before or while they are read.
 //
 // TriangleMesh is a model of FaceListGraph. It is referred to; the maps, which are copied, have values that convert to
 // std::size_t. An object serves for one call.
@@ -144,7 +144,7 @@ public:
   // passes new ones. Shape is described in Face_shapes.h. Takes linear time.
   //
   // The arrays of the intrinsic mesh are filled in blocks (One_block.h). The user's mesh and maps are read by this
-  // thread only, as the public functions promise, unless Consecutive_elements.h says that others may help.
+  // thread only, as the public functions promise, but for those that Consecutive_elements.h names.
   //
   // If the mesh has several components, wanted_vertices() is called, after all faces have been checked. It returns a
   // flag for each index of a vertex: only the components connected to marked vertices become faces of the intrinsic
@@ -299,14 +299,14 @@ private:
   }
 
   // Returns the halfedges of the face at a position, from halfedge(f, tm) on: all tables of halfedges begin with that
-  // one. Throws if the face is not a triangle. (One with one or two halfedges is none.)
+  // one. Throws if the face is not a triangle. (A face with one or two halfedges is not one either.)
   std::array<halfedge_descriptor, 3> halfedges_of(face_descriptor f, std::size_t position) const
   {
-    const halfedge_descriptor h0 = halfedge(f, m_tm), h1 = next(h0, m_tm), h2 = next(h1, m_tm);
-    if(next(h2, m_tm) != h0 || h1 == h0 || h2 == h0)
+    const std::array<halfedge_descriptor, 3> h = halfedges_of_triangle(f, m_tm);
+    if(next(h[2], m_tm) != h[0] || h[1] == h[0] || h[2] == h[0])
       throw Invalid_geodesic_input(Reason::NOT_A_TRIANGLE, "face " + std::to_string(position) + " is not a triangle",
                                    position);
-    return {h0, h1, h2};
+    return h;
   }
 
   // Finds the corners and neighbors of the face at a position, given by its halfedges. Throws if two corners are the
@@ -366,6 +366,7 @@ private:
       if(n < table.vertices.size())
         for(std::uint32_t index = 0; index < table.vertices.size(); ++index)
           Builder::number_of(index, table.vertex_of_index, n);
+      CGAL_assertion(n == table.vertices.size()); // so each number is that of one index
       blocks(table.vertices.size(), [&](std::size_t first, std::size_t last)
       {
         for(std::size_t index = first; index < last; ++index)
@@ -460,7 +461,7 @@ private:
   VertexIndexMap m_vim;
   FaceIndexMap m_fim;
   const Obstacles& m_obstacles;
-  // While a mesh is read, both tables of faces are as long as the part that has been read, or have all faces at once.
+  // While faces are met one by one, these tables are as long as the part that has been read.
   std::vector<face_descriptor> m_faces;          // by position
   std::vector<Wall_bits> m_walls;                // by position, if there are walls
   std::vector<Connected_face> m_connected_faces; // by position; corners are indices of the user's map

@@ -55,7 +55,7 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// Returns the halfedges of a face, from halfedge(f, tm) on. Requires: the face is a triangle.
+// Returns three halfedges of a face, from halfedge(f, tm) on: all of them if the face is a triangle.
 template <typename TriangleMesh>
 std::array<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor, 3>
 halfedges_of_triangle(typename boost::graph_traits<TriangleMesh>::face_descriptor f, const TriangleMesh& tm)
@@ -64,9 +64,9 @@ halfedges_of_triangle(typename boost::graph_traits<TriangleMesh>::face_descripto
   return {h, after, next(after, tm)};
 }
 
-// Shapes from the points of the vertices. prepare() reads each point once, in the order in which the faces will ask for
-// them, and scales it by a power of two. The values of VertexPointMap have members x(), y(), z() that CGAL::to_double()
-// takes; get() may return them by value or by reference.
+// Shapes from the points of the vertices. prepare() reads each point once (the first one twice), in the order in which
+// the faces will ask for them, and scales it by a power of two. The values of VertexPointMap have members x(), y(), z()
+// that CGAL::to_double() takes; get() may return them by value or by reference.
 //
 // Several threads read the points if Has_shared_points says so: each reads a block of the vertices, and writes its own
 // part of m_points. The points of any other map are read by the calling thread alone; the scaling is shared then, too,
@@ -99,7 +99,7 @@ public:
       return scaling_exponent(0.);
     reserve_large(m_points, n);
     m_points.resize(n);
-    const Coordinates first_point = point(numbered_vertices.front());
+    const Space_coordinates first_point = point(numbered_vertices.front());
     double largest = 0;
     std::mutex mutex; // of `largest`
     const auto read = [&](std::size_t first, std::size_t last)
@@ -142,19 +142,19 @@ public:
     const auto h = halfedges_of_triangle(f, m_tm);
     const auto differs = [](const auto& p, const auto& q)
     { return p.x() != q.x() || p.y() != q.y() || p.z() != q.z(); };
-    const auto point = [this](halfedge_descriptor g) -> decltype(auto) { return get(m_vpm, target(g, m_tm)); };
-    return differs(point(h[0]), point(h[1])) || differs(point(h[1]), point(h[2]));
+    const auto end = [this](halfedge_descriptor g) -> decltype(auto) { return get(m_vpm, target(g, m_tm)); };
+    return differs(end(h[0]), end(h[1])) || differs(end(h[1]), end(h[2]));
   }
 
 private:
   // (Without the first constructor, a vector of points would be zeroed before they are read, by one thread.)
-  struct Coordinates : std::array<double, 3>
+  struct Space_coordinates : std::array<double, 3>
   {
-    Coordinates() {}
-    Coordinates(double x, double y, double z) : std::array<double, 3>{{x, y, z}} {}
+    Space_coordinates() {}
+    Space_coordinates(double x, double y, double z) : std::array<double, 3>{{x, y, z}} {}
   };
 
-  Coordinates point(vertex_descriptor v) const
+  Space_coordinates point(vertex_descriptor v) const
   {
     const auto& p = get(m_vpm, v);
     return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
@@ -195,13 +195,13 @@ private:
   // a power of two.
   Space_vector<FT> difference(Vertex_id b, Vertex_id a) const
   {
-    const Coordinates &p = m_points[a], &q = m_points[b];
+    const Space_coordinates &p = m_points[a], &q = m_points[b];
     return {FT(FT(q[0]) - FT(p[0])), FT(FT(q[1]) - FT(p[1])), FT(FT(q[2]) - FT(p[2]))};
   }
 
   const TriangleMesh& m_tm;
   VertexPointMap m_vpm;
-  std::vector<Coordinates> m_points; // of the numbered vertices, scaled
+  std::vector<Space_coordinates> m_points; // of the numbered vertices, scaled
 };
 
 // Shapes from a map of edge lengths. prepare() checks the range of all lengths, shape() the triangle inequality. The

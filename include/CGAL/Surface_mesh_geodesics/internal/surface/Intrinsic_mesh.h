@@ -518,21 +518,24 @@ private:
       }
   }
 
-  // Does so for all faces. Faces of different blocks have common vertices, but such faces are rare: no block waits for
-  // another one. A mark is set whichever face comes first, so the result does not depend on the blocks.
+  // Does so for all faces. Each block lists such faces. Their corners are marked when all blocks have ended, as faces
+  // of different blocks have common vertices. Marks do not depend on the order of the faces.
   template <typename Blocks>
   void find_degenerate(const Blocks& blocks)
   {
-    std::mutex mutex; // of the kinds of vertices
+    std::vector<std::size_t> degenerate;
+    std::mutex mutex; // of `degenerate`
     blocks(m_faces.size(), [&](std::size_t first, std::size_t last)
     {
+      std::vector<std::size_t> of_block;
       for(std::size_t f = first; f < last; ++f)
         if(m_faces[f].length[0] <= Tolerance<FT>::length() || has_no_height(m_faces[f]))
-        {
-          const std::lock_guard<std::mutex> lock(mutex);
-          mark_degenerate(m_faces[f]);
-        }
+          of_block.push_back(f);
+      const std::lock_guard<std::mutex> lock(mutex);
+      degenerate.insert(degenerate.end(), of_block.begin(), of_block.end());
     });
+    for(const std::size_t f : degenerate)
+      mark_degenerate(m_faces[f]);
   }
 
   // If sources have divided a face into n+1 faces, a path that crosses the face once crosses at most n+1 of them. On a

@@ -209,7 +209,8 @@ private:
     m_order.resize(n);
   }
 
-  // Asks for a face that will be read soon, and for the numbers of the neighbors of one that has been asked for.
+  // Asks for a face that will be read 2 * faces_ahead steps later, and for the numbers of the neighbors of the one that
+  // will be read in half of that: it was asked for before.
   void prefetch_names(const std::vector<Connected_face>& faces, std::size_t end) const
   {
     const std::size_t next = m_faces.size(), last = faces.size() - 1;
@@ -320,7 +321,7 @@ private:
                                        + "beside the mesh", m_order[i]);
   }
 
-  static constexpr std::size_t faces_ahead = 4; // of those whose neighbors are read
+  static constexpr std::size_t faces_ahead = 4; // see prefetch_names()
 
   std::vector<Connected_face> m_faces; // by number; the corners become vertices in number_vertices()
   std::vector<std::uint32_t> m_order;  // by number: the position of the face

@@ -63,8 +63,9 @@ struct Consecutive_elements<Surface_mesh<Point>,
   }
 };
 
-// May several threads read the points of a map? The coordinates have to be built-in numbers, as others may change when
-// they are converted: those of lazy kernels do.
+// May several threads read the points of a map? The coordinates have to be built-in floating point numbers, as others
+// may change when they are converted: those of lazy kernels do. (All maps of points that a Surface_mesh stores are of
+// this type. As in the standard library, a constant object is taken to be one that threads may read.)
 template <typename TriangleMesh, typename VertexPointMap>
 struct Has_shared_points : std::false_type
 {};

@@ -323,7 +323,7 @@ private:
     const bool is_worth_it = n >= smallest_shared_batch;
     if(Keeper::is_deferred)
       m_division.sort_batches();
-    else if(is_worth_it && m_round % rounds_per_balance == 0)
+    else if(is_worth_it && m_number_of_shared_batches++ % batches_per_balance == 0)
       m_division.balance();
     make_units(n);
     m_relay.begin_batch(m_units.size(), keepers());
@@ -504,6 +504,7 @@ private:
         m_messages_of_part[i].push_back(&worker->messages[i]);
     }
     m_size_of_last_batch = 0;
+    m_number_of_shared_batches = 0;
   }
 
   // Drops what a run that did not end has left: messages, and windows of stars that an exception has left.
@@ -548,7 +549,7 @@ private:
   }
 
   // Regions drift apart slowly. Until they are balanced again, threads help each other.
-  static constexpr std::uint32_t rounds_per_balance = 8;
+  static constexpr std::size_t batches_per_balance = 8;
 
   static constexpr std::size_t smallest_shared_update = 16; // visits that have left messages
   static constexpr std::size_t smallest_shared_batch = 6;   // visits
@@ -566,6 +567,7 @@ private:
   std::uint32_t m_round = 0;
   std::size_t m_number_of_threads = 1;            // of the run
   std::size_t m_size_of_last_batch = 0;
+  std::size_t m_number_of_shared_batches = 0;     // of the run
   std::vector<Unit> m_units;                      // of the visits
   std::vector<std::uint32_t> m_ends;              // of the units of the phase, by thread
   bool m_is_shared = false; // do other threads take part in the phase?
