@@ -40,8 +40,8 @@
 // Two ways to read. The elements of most models are met one by one, in the order of their ranges, as nothing is known
 // of their indices or of what several threads may do. A Surface_mesh without removed elements, with its own index maps,
 // is an array: its elements are read in blocks, in any order (Consecutive_elements.h). Both ways make the same mesh, in
-// the same bits, and find the same fault first. A mesh with obstacles is read in the first way, whatever its type: faces
-// to avoid are gaps as well, and walls are noted face by face.
+// the same bits, and find the same fault first. A mesh with obstacles is read in the first way, whatever its type:
+// faces to avoid are gaps as well, and walls are noted face by face.
 //
 // The steps of read(), and who does them:
 // 1. read_faces() checks the faces, and collects their corners and neighbors. Wall_cut takes them apart along walls.
