@@ -2,6 +2,7 @@
 // and faces. Polyhedra store their indices, linear cell complexes have other halfedges, and a filtered graph lacks
 // elements of the graph below it.
 
+#include "path_test_helpers.h"
 #include "test_meshes.h"
 #include "test_support.h"
 
@@ -19,7 +20,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <map>
@@ -163,10 +163,10 @@ private:
 
   static double length_of(const std::vector<Kernel::Point_3>& line)
   {
-    double length = 0;
-    for(std::size_t k = 0; k + 1 < line.size(); ++k)
-      length += std::sqrt(CGAL::squared_distance(line[k], line[k + 1]));
-    return length;
+    std::vector<Coordinates> points;
+    for(const Kernel::Point_3& p : line)
+      points.push_back(to_coordinates(p));
+    return polyline_length(points);
   }
 
   const TriangleMesh& m_tm;
@@ -181,22 +181,15 @@ Results results_on(const TriangleMesh& tm)
   return Curves_on<TriangleMesh>(tm).results();
 }
 
-void check_near(const std::vector<double>& found, const std::vector<double>& expected)
-{
-  CHECK_EQUAL(found.size(), expected.size());
-  for(std::size_t i = 0; i < found.size() && i < expected.size(); ++i)
-    CHECK_NEAR(found[i], expected[i], 1e-12);
-}
-
 // Faces begin at other corners, and edges at other ends, so the last digits differ.
 void check_results(const Results& found, const Results& expected)
 {
-  check_near(found.distances, expected.distances);
-  check_near(found.signed_distances, expected.signed_distances);
-  check_near(found.path_lengths, expected.path_lengths);
-  check_near(found.path_sizes, expected.path_sizes);
-  check_near(found.areas, expected.areas);
-  check_near(found.isoline_lengths, expected.isoline_lengths);
+  CHECK_FIELDS_CLOSE(found.distances, expected.distances, 1e-13);
+  CHECK_FIELDS_CLOSE(found.signed_distances, expected.signed_distances, 1e-13);
+  CHECK_FIELDS_CLOSE(found.path_lengths, expected.path_lengths, 1e-13);
+  CHECK_FIELDS_CLOSE(found.path_sizes, expected.path_sizes, 1e-13);
+  CHECK_FIELDS_CLOSE(found.areas, expected.areas, 1e-13);
+  CHECK_FIELDS_CLOSE(found.isoline_lengths, expected.isoline_lengths, 1e-13);
   CHECK(found.labels == expected.labels);
   CHECK(found.sources == expected.sources);
   CHECK(found.samples == expected.samples);

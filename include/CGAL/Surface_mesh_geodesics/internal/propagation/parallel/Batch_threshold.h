@@ -14,9 +14,9 @@
 // are not greater than a threshold.
 //
 // A batch should be large enough to share, and small beside the wavefront: a vertex that is visited long before its
-// turn propagates windows that a nearer one would have pruned. And two neighbors cannot be visited in one batch. The
-// aim is a sixth of the wavefront, or a third of a long one. A third makes a few windows in ten thousand more than one
-// visit at a time does, but more neighbors have to wait; where the wavefront is short, that costs more than it saves.
+// turn propagates windows that a nearer one would have pruned. And of two neighbors in a batch, one has to wait.
+// The aim is a sixth of the wavefront, or a third of a long one. A third makes a few windows in ten thousand more than
+// one visit at a time does, and more neighbors wait. Where the wavefront is short, that costs more than it saves.
 //
 // The threshold advances by a step that grows or shrinks with the last batch. All depends on the numbers of vertices
 // only, hence neither on the number of threads nor on their speed.
@@ -65,6 +65,7 @@ public:
   }
 
 private:
+  // How many vertices of a wavefront a batch should have.
   static std::size_t part_of(std::size_t wavefront_size)
   {
     constexpr std::size_t long_wavefront = 512;
