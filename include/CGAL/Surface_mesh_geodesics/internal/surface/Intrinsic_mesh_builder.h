@@ -209,8 +209,8 @@ private:
     m_order.resize(n);
   }
 
-  // Asks for the face that comes 2 * faces_ahead steps later. The face that comes faces_ahead steps later has arrived by
-  // now, so its neighbors are known: asks for their numbers.
+  // Asks for the face that comes 2 * faces_ahead steps later. The face that comes faces_ahead steps later has arrived
+  // by now, so its neighbors are known: asks for their numbers.
   void prefetch_names(const std::vector<Connected_face>& faces, std::size_t end) const
   {
     const std::size_t next = m_faces.size(), last = faces.size() - 1;
