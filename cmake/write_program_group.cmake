@@ -2,8 +2,9 @@
 #   cmake -Doutput=UNIT.cpp "-Dsources=A.cpp;B.cpp" -P write_program_group.cmake
 #
 # Each program stands in a namespace with its name. The unit reads the headers of all programs first, outside of the
-# namespaces: their include guards make the same lines inside the programs empty. The name under which the unit is
-# called decides which program runs.
+# namespaces: their include guards make the same lines inside the programs empty. So a program must not include a
+# header without guards, such as CGAL/Exact_rational.h of CGAL 5.5. The name under which the unit is called decides
+# which program runs.
 cmake_minimum_required(VERSION 3.19...3.31)
 
 set(includes)

@@ -22,8 +22,9 @@
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
+#include <CGAL/MP_Float.h>
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/Quotient.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -162,7 +163,7 @@ static_assert(has_shared_points<CGAL::Simple_cartesian<double>> && has_shared_po
                 && has_shared_points<CGAL::Exact_predicates_inexact_constructions_kernel>,
               "points with built-in numbers");
 static_assert(!has_shared_points<CGAL::Exact_predicates_exact_constructions_kernel>
-                && !has_shared_points<CGAL::Simple_cartesian<CGAL::Exact_rational>>,
+                && !has_shared_points<CGAL::Simple_cartesian<CGAL::Quotient<CGAL::MP_Float>>>,
               "points with other numbers");
 static_assert(!internal::Has_shared_points<Mesh, Map_of_user<Own_points<Mesh>>>::value, "points of the user");
 
