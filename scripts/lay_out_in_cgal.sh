@@ -141,12 +141,13 @@ fi
 [ -z "$maintainer" ] || echo "$maintainer" > "$target/package_info/$package/maintainer"
 
 # Text about things that only this repository has is between marks, within a line or around lines. The pages about the
-# program for the command line and about Python are left out.
+# program for the command line and about Python are left out. CGAL has its meshes in a folder of its own.
 manual=$target/doc/$package
 begin='<!-- not in CGAL: begin -->'
 end='<!-- not in CGAL: end -->'
 rm "$manual/Program.txt" "$manual/Python.txt" "$manual/Platforms.txt"
 perl -0pi -e "s/$begin(\n.*?$end\n|.*?$end)//gs" "$manual"/*.txt
+sed -i 's|"build/cgal_data/data/\(meshes/[^"]*\)"|CGAL::data_file_path("\1")|' "$manual"/*.txt
 for figure in "$target/doc/$package/fig"/*; do
   grep -qF "$(basename "$figure")" "$target/doc/$package"/*.txt || rm "$figure"
 done

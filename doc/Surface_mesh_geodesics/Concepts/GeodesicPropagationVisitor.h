@@ -3,8 +3,9 @@
 \cgalConcept
 
 The concept `GeodesicPropagationVisitor` describes the requirements for a visitor: an object that follows a propagation
-and can cancel it. The free functions and `CGAL::Surface_mesh_geodesics::Geodesic_distance_solver::compute_distances()`
-take it with the named parameter `visitor`. The following functions take it as an argument:
+and can cancel it. `CGAL::Surface_mesh_geodesics::Geodesic_distance_solver::compute_distances()` takes it with the named
+parameter `visitor`, and so do the free functions whose reference lists that parameter. The following functions take it
+as an argument:
 `CGAL::Surface_mesh_geodesic_paths::build_sequence_tree()`,
 `CGAL::Surface_mesh_geodesic_paths::build_sequence_tree_for_faces()` and
 `CGAL::Surface_mesh_geodesic_Voronoi_diagram::build()`.
@@ -44,8 +45,9 @@ public:
   void on_progress(std::size_t number_of_visits, double distance_reached);
 
   /// is called after each `on_progress()`. Returning `false` cancels the propagation: nothing is written to the
-  /// property maps of the caller, and the function that propagates returns `false`. Sampling, relaxation and remeshing,
-  /// which propagate several times, return their last complete results; see there.
+  /// property maps of the caller, and a function that returns `bool` returns `false`. Sampling and relaxation, which
+  /// propagate several times, return their last complete results. Remeshing adds nothing. For
+  /// `geodesic_peeling_order()`, certificates and stored matrices see there.
   bool go_further();
 
   /// is called once at the end, also after a cancellation.

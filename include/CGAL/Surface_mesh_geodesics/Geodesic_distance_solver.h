@@ -218,7 +218,8 @@ public:
     return Geodesic_distance_solver(tm, parameters::edges_to_avoid(edges_to_avoid).faces_to_avoid(faces_to_avoid));
   }
 
-  /// returns a solver for a surface that is given by the lengths of its edges.
+  /// returns a solver for a surface that is given by the lengths of its edges. `TriangleMesh` is a model of
+  /// `EdgeListGraph`, too.
   ///
   /// \tparam EdgeLengthMap a model of `ReadablePropertyMap` with the edge descriptor as key type and a number
   ///         type that `CGAL::to_double()` takes as value type

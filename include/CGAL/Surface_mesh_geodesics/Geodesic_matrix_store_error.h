@@ -25,9 +25,9 @@ The class `Geodesic_matrix_store_error` is the exception of the functions for st
 folder that does not fit the call, and files that cannot be read or written. Faults of the mesh, of sources and of
 targets throw `Invalid_geodesic_input`.
 
-`reason()` tells programs what is wrong, and `what()` tells it to the user, in one sentence that begins with the name of
-the file or of the folder. A folder is unchanged if it does not fit the call. If a file cannot be written, the shards
-that are done stay, and a later call goes on.
+`reason()` tells programs what is wrong, and `what()` tells it to the user in one sentence; where it is about a file or
+a folder, it begins with that name. A folder is unchanged if it does not fit the call. If a file cannot be written, the
+shards that are done stay, and a later call goes on.
 
 \code
 try

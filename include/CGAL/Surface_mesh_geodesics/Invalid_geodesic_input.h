@@ -60,11 +60,14 @@ public:
     INVALID_LOCATION,    ///< a location has a null face, or lies outside its face; or a vertex, a location or a curve
                          ///< is inside of the faces to avoid
     INVALID_DESCRIPTOR,  ///< a vertex, a face or an edge is null, or does not belong to the mesh
-    INVALID_OFFSET,      ///< an offset or a weight is negative or not finite, or there is not one per source or site
+    INVALID_OFFSET,      ///< an offset is negative, not finite, too large for the mesh, or not 0 for signed isolines; a
+                         ///< weight is not finite or differs too much from the largest one; or there is not one per
+                         ///< source or site
     INVALID_RADIUS,      ///< a maximum distance or a covering radius is negative or not a number
     INVALID_INDEX_MAP,   ///< an index map has values out of range, or equal values
     NON_MANIFOLD,        ///< a face has a vertex twice, or two faces disagree about the ends of their edge
-    TOO_LARGE,           ///< the mesh has more than 2<sup>30</sup> - 2 faces
+    TOO_LARGE,           ///< the mesh has more than 2<sup>30</sup> - 2 faces, or walls divide it into too many
+                         ///< vertices
     TOO_SMALL,           ///< one component is smaller than the mesh by a factor of more than 10<sup>60</sup>
     INVALID_DIRECTION,   ///< the direction or the length of a traced geodesic is not finite, the length is negative,
                          ///< or a vector or a face tells no direction

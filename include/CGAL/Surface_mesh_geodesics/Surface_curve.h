@@ -205,8 +205,9 @@ public:
   /// a vertex has none.
   const std::vector<Segment>& segments() const { return m_segments; }
 
-  /// returns whether the last segment ends where the first one begins. A curve that was made of locations is closed if
-  /// that was asked for, even if its last location equals the first one otherwise.
+  /// returns whether the curve is closed. A curve along halfedges is closed if it ends where it begins. One that was
+  /// made of two locations or more is closed if that was asked for; else it is open, even if its last location is the
+  /// first one.
   bool is_closed() const { return m_is_closed; }
 
   /// returns the vertex of a curve that is a single vertex; else the null vertex.
@@ -314,7 +315,8 @@ struct Surface_curve_point
 \ingroup PkgSurfaceMeshGeodesicsFunctions
 
 returns the cycles of border edges of a triangle mesh as closed curves, the surface on their right: their halfedges have
-no face on the left. Takes linear time, and that of a set of border halfedges.
+no face on the left. Takes linear time, and that of a set of border halfedges. Several threads may call the function
+at once.
 
 With faces to avoid, these are the borders of the other faces, as if the faces to avoid were not in the mesh: the rim of
 these faces is a border, and an edge of the border whose face is avoided is none. So they are the curves for a

@@ -618,7 +618,7 @@ public:
   /// Sites are kept. Takes constant time if nothing is computed.
   ///
   /// \tparam EdgeLengthMap a model of `ReadablePropertyMap` with the edge descriptor as key type and a number
-  ///         type as value type
+  ///         type as value type. The mesh is a model of `EdgeListGraph`, too.
   /// \param edge_length_map maps each edge to its length, as for
   ///        `Surface_mesh_geodesics::geodesic_distances_from_edge_lengths()`; it is copied
   template <typename EdgeLengthMap>
@@ -682,7 +682,11 @@ public:
   ///
   /// \param i the number of the site
   /// \pre `i < number_of_sites()`
-  Face_location site(Site_index i) const { return m_lazy.location_of_site(i); }
+  Face_location site(Site_index i) const
+  {
+    check(i);
+    return m_lazy.location_of_site(i);
+  }
 
   /// returns the curve of a site, or null if the site is a point. The pointer is valid as long as the site.
   ///
@@ -690,6 +694,7 @@ public:
   /// \pre `i < number_of_sites()`
   const Surface_mesh_geodesics::Surface_curve<Triangle_mesh>* site_curve(Site_index i) const
   {
+    check(i);
     return m_lazy.sites()[i].curve.get();
   }
 
@@ -697,7 +702,11 @@ public:
   ///
   /// \param i the number of the site
   /// \pre `i < number_of_sites()`
-  FT weight(Site_index i) const { return m_lazy.sites()[i].weight; }
+  FT weight(Site_index i) const
+  {
+    check(i);
+    return m_lazy.sites()[i].weight;
+  }
 
   /// @}
 

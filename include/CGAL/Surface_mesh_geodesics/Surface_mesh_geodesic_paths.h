@@ -425,7 +425,7 @@ public:
   /// rejected, nothing changes: lengths and results stay as they were.
   ///
   /// \tparam EdgeLengthMap a model of `ReadablePropertyMap` with the edge descriptor as key type and a number
-  ///         type as value type
+  ///         type as value type. The mesh is a model of `EdgeListGraph`, too.
   /// \param edge_length_map gives the length of each edge
   /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if a length is negative or not finite, or an edge is longer
   ///         than the two others of a face, or a face is not a triangle
@@ -471,7 +471,8 @@ public:
   }
 
   /// removes all source points and drops all results; the object is as it was after construction. Call it if the mesh
-  /// has changed. All iterators to source points become invalid. Edge lengths are taken from the points again.
+  /// has changed. All iterators to source points become invalid. Edge lengths are taken from the points
+  /// again, and faces and edges to avoid are forgotten.
   ///
   /// The maps of the constructor must still be valid. An assignment to a `Surface_mesh` invalidates its point map; then
   /// construct a new object instead.
@@ -493,9 +494,9 @@ public:
   std::size_t number_of_source_points() const { return m_structure.sources().size(); }
 
   /// returns whether the next query at a vertex has to build: source points have been added or removed, or
-  /// `use_edge_lengths()` has been called while there were source points, and neither a build function nor a query has
-  /// computed the distances since. A query that builds resets this, also one on a constant object. A build that ends
-  /// early does not.
+  /// `use_edge_lengths()`, `avoid_faces()` or `avoid_edges()` has been called while there were source points, and
+  /// neither a build function nor a query has computed the distances since. A query that builds resets this, also one
+  /// on a constant object. A build that ends early does not.
   bool changed_since_last_build() const { return m_structure.has_changed(); }
 
   /// @}
@@ -513,8 +514,9 @@ public:
 
   /// \name Shortest Distance Queries
   /// The distance is the length of the shortest path: a program that wants the length does not need the path.
-  /// Queries at a vertex take constant time. Queries at other points take time linear in the number of windows
-  /// on the three edges of the face. The first query may build, see the class comment.
+  /// Queries at a vertex take time linear in the number of vertices at which the path bends, and logarithmic in the
+  /// number of source points. Queries at other points take time linear in the number of windows on the three edges of
+  /// the face, too. The first query may build, see the class comment.
   ///
   /// The iterators that queries return are valid as long as those of `add_source_point()`.
   /// @{
@@ -825,8 +827,8 @@ public:
   /// itself and is not written. Two crossings of an edge that are nearer to each other than \f$ 10^{-4} \f$ of its
   /// length may be left out. So may a closed line that meets no edge, around a point that is farther than all edges of
   /// its face.
-  /// There is no line where no source point reaches, and none for a value that is negative, infinite or not a number.
-  /// Takes time linear in the number of faces, and a number of face queries around each point.
+  /// There is no line where no source point reaches, and none for a value that is zero, negative, infinite or not a
+  /// number. Takes time linear in the number of faces, and a number of face queries around each point.
   ///
   /// \tparam OutputIterator a model of `OutputIterator` that takes `std::vector<Point_3>`
   /// \param value the distance, in the unit of the mesh

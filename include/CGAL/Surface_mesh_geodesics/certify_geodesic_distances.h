@@ -104,10 +104,10 @@ no thread modifies them; see `geodesic_distances()`.
     \cgalParamDefault{`4`}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{a visitor that follows each propagation. The first one includes the checks of paths and of
-                          lower bounds, during which the numbers do not change. If the visitor cancels, the function
-                          returns at once, and the conditions that it has not checked to the end are violated
-                          infinitely.}
+    \cgalParamDescription{a visitor that follows each propagation. The first one (with edges to avoid, the second
+                          one) includes the checks of paths and of lower bounds, during which the numbers do not
+                          change. If the visitor cancels, the function returns at once, and the conditions that it
+                          has not checked to the end are violated infinitely.}
     \cgalParamType{a model of `GeodesicPropagationVisitor`}
     \cgalParamDefault{`Geodesic_default_visitor`}
     \cgalParamExtra{The visitor is not copied if it is passed with `std::ref()`.}
@@ -167,7 +167,7 @@ checks distances on a surface that is given by its edge lengths. Complexity, par
 `certify_geodesic_distances()`.
 
 \tparam ConcurrencyTag as for `certify_geodesic_distances()`
-\tparam TriangleMesh a model of `FaceListGraph`
+\tparam TriangleMesh a model of `FaceListGraph` and `EdgeListGraph`
 \tparam VertexDistanceMap as for `certify_geodesic_distances()`
 \tparam Sources as for `geodesic_distances()`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"

@@ -149,6 +149,8 @@ The method serves remeshing (thesis, section 5.4.4), see `geodesic_remeshing()`.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
+\pre `number_of_iterations` and `threshold_distance` are numbers that are not negative.
+
 \return the number of iterations that moved a site. It is less than `number_of_iterations` if no site moves any more, if
         an iteration before the last one moves none farther than `threshold_distance`, or if the visitor cancels.
 

@@ -32,7 +32,7 @@ pairs of such cells may share a color. If there are at most twelve sites, all co
 only on the numbers of the sites and on which cells are adjacent.
 
 Cells are colored one after the other, each with a color that no neighbor has. They are ordered such that few neighbors
-of a cell come before it (the smallest-last order of Matula and Beck, 1983).
+of a cell come before it (the smallest-last order of Matula and Beck \cgalCite{matula1983smallest}).
 
 <b>Complexity.</b> Takes \cgalBigO{k \log n} time for \f$ n \f$ sites and \f$ k \f$ pairs of adjacent cells, in
 addition to the time of `Surface_mesh_geodesic_Voronoi_diagram::build()` if the diagram is not built yet.

@@ -239,6 +239,8 @@ vertices are sorted by descending distance from it. Components keep the order of
 
 <b>Complexity.</b> Three propagations over the components of the vertices, and the sorting.
 
+<b>Thread safety.</b> As for `geodesic_distances()`.
+
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam Vertices a range of vertex descriptors of `TriangleMesh`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"

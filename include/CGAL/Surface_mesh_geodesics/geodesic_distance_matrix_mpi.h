@@ -47,6 +47,8 @@ another job with any number of ranks goes on with it, or a process without MPI.
 
 The bits of the files do not depend on the number of ranks, if the ranks run the same program.
 
+<b>Complexity.</b> Each row takes the time of a propagation up to the farthest target, on one of the ranks.
+
 \tparam ConcurrencyTag whether each rank uses several threads. Their number is that of \tbb, which may be limited with
         `tbb::global_control`.
 \tparam TriangleMesh a model of `FaceListGraph`

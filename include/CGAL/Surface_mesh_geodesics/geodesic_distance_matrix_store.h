@@ -189,7 +189,8 @@ that are done.
         `sparse_geodesic_distance_matrix()` rejects
 \throws Geodesic_matrix_store_error if the folder belongs to another mesh, or to other sources, targets or parameters
         (the message has both checksums), if a file cannot be written, and for numbers of 32 bits if a distance is too
-        large, or so small that it would become zero
+        large, or so small that it would become zero; with the reason `INVALID_OPTION` if `use_symmetry` meets a finite
+        radius or sources that are not the targets, or if `first_row` is greater than `end_row`
 */
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename Sources, typename Targets,
           typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -298,6 +299,8 @@ Checksums are checked by `Geodesic_distance_matrix_store::damaged_shards()`.
 <b>Complexity.</b> `samples` rows are computed; the inequalities take time for the square of `samples`, times the number
 of columns. Memory: the rows of the samples.
 
+<b>Thread safety.</b> As for `geodesic_distances()`.
+
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
@@ -311,6 +314,7 @@ of columns. Memory: the rows of the samples.
 \return the worst violations
 
 \throws Geodesic_matrix_store_error if the folder has the matrix of another mesh, or cannot be read
+\throws Invalid_geodesic_input for a mesh that `geodesic_distances()` rejects
 */
 template <typename TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Geodesic_matrix_store_check

@@ -154,8 +154,9 @@ checks whether the triangles of the dual of a diagram form a manifold mesh, and 
 not disks, pairs of cells with several common edges, and so on. Where the surface has a border, the dual has one as
 well, farther inside.
 
-<b>Complexity.</b> Takes \cgalBigO{k \log k} time for \f$ k \f$ arcs and edges of the diagram, in addition to the time
-of `Surface_mesh_geodesic_Voronoi_diagram::build()` if the diagram is not built yet.
+<b>Complexity.</b> Takes \cgalBigO{k \log k} time for \f$ k \f$ arcs and edges of the diagram, the time of
+`Surface_mesh_geodesic_Voronoi_diagram::is_disk()` for each cell, and that of
+`Surface_mesh_geodesic_Voronoi_diagram::build()` if the diagram is not built yet.
 
 <b>Thread safety.</b> Several threads may call the function at once, on the same diagram as well.
 
@@ -274,13 +275,13 @@ output of its own; see `geodesic_distances()`.
     \cgalParamExtra{The visitor is not copied if it is passed with `std::ref()`.}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}
-    \cgalParamDescription{the largest number of iterations of the relaxation}
+    \cgalParamDescription{the largest number of iterations of the relaxation; not negative}
     \cgalParamType{unsigned int}
     \cgalParamDefault{`5`}
   \cgalParamNEnd
   \cgalParamNBegin{threshold_distance}
     \cgalParamDescription{the relaxation ends after an iteration that moves no site farther in space than this
-                          distance, in the unit of the mesh}
+                          distance, in the unit of the mesh; not negative}
     \cgalParamType{double}
     \cgalParamDefault{`0`: it ends when no site moves}
   \cgalParamNEnd
@@ -292,6 +293,8 @@ output of its own; see `geodesic_distances()`.
     \cgalParamDefault{an empty range: none}
   \cgalParamNEnd
 \cgalNamedParamsEnd
+
+\pre `number_of_iterations` and `threshold_distance` are numbers that are not negative.
 
 \return the numbers of samples and of rounds, and the components that stay as they are. If the visitor cancels, the
 result is a `Geodesic_remeshing_report()`, which is not complete.

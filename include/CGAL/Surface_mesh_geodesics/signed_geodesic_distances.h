@@ -44,6 +44,8 @@ it, and parts that they cut off are components. A vertex that they divide has th
 
 Takes the time of `geodesic_distances()`, in a single thread, plus time linear in the size of the mesh.
 
+<b>Thread safety.</b> As for `geodesic_distances()`.
+
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam VertexDistanceMap a model of `WritablePropertyMap` with the vertex descriptor of
         `TriangleMesh` as key type and a floating point type as value type

@@ -106,6 +106,8 @@ The function reads and checks only the faces that it visits. It takes time linea
 geodesic crosses, plus the degrees of the vertices that it passes. It asks for `num_faces(tm)` at most once, where
 rounding leaves the geodesic no length in a face; `CGAL::Face_filtered_graph` takes linear time for that.
 
+<b>Thread safety.</b> That of all functions of this header: as for `geodesic_distances()`.
+
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam Location a vertex descriptor, or a face descriptor with three barycentric coordinates: what
         `geodesic_distances()` takes as a source
@@ -210,7 +212,7 @@ returns the direction of a vector of space at a location, in the form that `trac
 
 The vector is projected to the plane of the face of the location. At a vertex this is the face of the location, or one
 of the faces around it if the location is a vertex descriptor; the angle is that between the edges of this face and the
-vector, also where the vector leads out of the face.
+vector, also where the vector leads out of the face. Takes time linear in the degree of a vertex, else constant.
 
 \tparam TriangleMesh a model of `FaceGraph`
 \tparam Location as for `trace_geodesic()`
@@ -241,7 +243,7 @@ double geodesic_direction(const TriangleMesh& tm, const Location& location, cons
 
 returns the unit vector of space that has a direction at a location, and the face in whose plane it lies: the face of
 the location, or, at a vertex, the face into which the direction leads (at a border vertex the last one if it leads
-across the border). It is the inverse of `geodesic_direction()`.
+across the border). It is the inverse of `geodesic_direction()`, and takes the same time.
 
 \tparam TriangleMesh a model of `FaceGraph`
 \tparam Location as for `trace_geodesic()`
