@@ -82,8 +82,9 @@ void bisectors_along_edges()
 // its interval.
 void touching_distances()
 {
-  for(const std::uint64_t seed : {1418u, 3074u, 4146u})
+  for(const std::uint64_t seed : {1418u, 2147u, 3074u, 4146u, 5967u})
     check_case(seed, false, true);
+  check_case(3307, true, true);
 }
 
 void random_cases()

@@ -492,6 +492,20 @@ void points_are_located_or_rejected(std::uint64_t seed)
   }
 }
 
+// CGAL's trees would assert, or hold boxes of other points.
+void vertices_without_a_place_are_rejected()
+{
+  for(const double x : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+  {
+    Mesh tm = to_face_graph(octahedron());
+    tm.point(vertex(3)) = Kernel::Point_3(0., x, 0.);
+    const Geodesic_paths paths(tm);
+    CHECK(throws_reason(Reason::NON_FINITE_POINT, [&] { paths.locate<AABB_traits>(Kernel::Point_3(0., 0., 0.)); }));
+    Tree tree;
+    CHECK(throws_reason(Reason::NON_FINITE_POINT, [&] { paths.build_aabb_tree(tree); }));
+  }
+}
+
 } // namespace
 
 int main()
@@ -502,5 +516,6 @@ int main()
   trees_are_built_without_a_point_map();
   points_of_flat_faces_are_located();
   points_are_located_or_rejected(seed);
+  vertices_without_a_place_are_rejected();
   return test_result();
 }

@@ -223,6 +223,9 @@ void wrong_input_is_rejected()
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for(const double x : {nan, infinity, 1e200})
     CHECK(throws_reason(R::NON_FINITE_POINT, make(tm, Polyline{Point(0, 0, 0), Point(x, 0, 0)})));
+  Mesh without_place = tm;
+  without_place.point(*vertices(tm).begin()) = Point(nan, 0, 0);
+  CHECK(throws_reason(R::NON_FINITE_POINT, make(without_place, Polyline(1, Point(0, 0, 0)))));
 }
 
 } // namespace

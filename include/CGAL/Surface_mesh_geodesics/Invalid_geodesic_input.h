@@ -25,7 +25,8 @@ namespace Surface_mesh_geodesics {
 
 The class `Invalid_geodesic_input` is the exception that reports input for which geodesic distances are not
 defined. Functions throw it whether assertions are enabled or not, before they write to a property map of
-the user.
+the user. (There is one exception: with assertions, \cgal itself checks an index map that is a named parameter, before
+the function does, and throws its `Assertion_exception`.)
 
 `reason()` tells programs what is wrong, `element()` where, and `what()` tells it to the user, in one sentence. If the
 input has several faults, one of them is reported, which need not be the first one in its range.

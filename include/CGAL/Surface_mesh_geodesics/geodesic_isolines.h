@@ -160,10 +160,12 @@ bool geodesic_isolines(const TriangleMesh& tm, const Sources& sources, const Lev
                        const CGAL_NP_CLASS& np = parameters::default_values())
 {
   internal::check_parameters<internal::Isoline_parameters>(tm, np);
-  static_assert(internal::Is_range_of<Levels, double>::value, "the levels are a range of numbers");
+  constexpr bool are_levels = internal::Is_range_of<Levels, double>::value;
+  static_assert(are_levels, "the levels are a range of numbers");
   std::vector<double> distances;
-  for(const auto& level : levels)
-    distances.push_back(static_cast<double>(level)); // NOLINT(performance-inefficient-vector-operation)
+  if constexpr(are_levels) // else the errors of the loop would follow the message
+    for(const auto& level : levels)
+      distances.push_back(static_cast<double>(level)); // NOLINT(performance-inefficient-vector-operation)
   return internal::compute_isolines<ConcurrencyTag>(tm, sources, distances, output, np);
 }
 

@@ -99,6 +99,8 @@ Surface_curve<TriangleMesh> polyline_curve(const TriangleMesh& tm, const Points&
   using Vertex_point_map = std::decay_t<decltype(vpm)>;
   using Point = typename boost::property_traits<Vertex_point_map>::value_type;
   using Location = typename Surface_curve<TriangleMesh>::Face_location;
+  static_assert(internal::Is_range_of<Points, Point>::value,
+                "the points of the polyline are a range of the points of the mesh");
   const std::vector<Point> polyline(std::begin(points), std::end(points));
   const auto fim = CGAL::get_initialized_face_index_map(tm, np);
   const internal::Obstacles obstacles = internal::obstacles(tm, fim, np);

@@ -23,8 +23,10 @@ cat > "$work/frame.h" << 'END'
 #include <CGAL/Surface_mesh_geodesics/geodesic_distance_matrix_store.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_distances.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_farthest_point_sampling.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_isolines.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_path.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_remeshing.h>
+#include <CGAL/Surface_mesh_geodesics/polyline_curve.h>
 #include <iterator>
 #include <map>
 #include <string>
@@ -177,6 +179,9 @@ expect "cannot be written to this argument" "geodesic_Voronoi_labels(tm, distanc
 expect "cannot be read from this argument" "certify_geodesic_distances(tm, vertices, distance)"
 expect "several sources are a range of these" "geodesic_distances(tm, distance, text)"
 expect "several sources are a range of these" "geodesic_distances(tm, distance, numbers)"
+expect "the levels are a range of numbers" "geodesic_isolines(tm, vertices, .5, std::back_inserter(text))"
+expect "are a range of the points of the mesh" "polyline_curve(tm, vertices)"
+expect "a function of the position of its source" "geodesic_distance_matrix(tm, vertices, vertices, [](int) {})"
 expect "takes a pointer" "${distances}np::statistics(counts))"
 expect "takes a pointer" "${solver}np::statistics(std::ref(counts)))"
 

@@ -32,6 +32,7 @@
 #include <array>
 #include <cstddef>
 #include <iterator>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -43,7 +44,7 @@ namespace internal {
 // `Traits` is a model of SurfaceMeshShortestPathTraits; points and coordinates are made by its function objects.
 // Numbers are converted to double where a decision is made. Mesh, maps and traits are parameters of each function, as
 // the static members of Surface_mesh_geodesic_paths have no object. Nothing is checked: descriptors have to be those of
-// the mesh, and only locate() throws.
+// the mesh, and only locate() and what makes a tree for it throw.
 template <typename Traits, typename VertexPointMap>
 struct Surface_locations
 {
@@ -142,12 +143,33 @@ struct Surface_locations
 
   // --- locations of points of space ---
 
-  // Fills a tree with the faces of the mesh, in place of what it has held.
+  // Throws Invalid_geodesic_input if a corner of a face has a coordinate that is infinite or not a number: CGAL's trees
+  // would assert, or hold boxes of other points. (Numbers that are not floating point have no such values.) `position`
+  // is that of the face in its range.
+  static void check_corners(face_descriptor f, std::size_t position, const Triangle_mesh& tm,
+                            VertexPointMap vertex_point_map)
+  {
+    if(!std::is_floating_point<FT>::value)
+      return;
+    for(const halfedge_descriptor h : halfedges_around_face(halfedge(f, tm), tm))
+    {
+      const auto& p = get(vertex_point_map, target(h, tm));
+      if(!CGAL::is_finite(p.x()) || !CGAL::is_finite(p.y()) || !CGAL::is_finite(p.z()))
+        throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::NON_FINITE_POINT,
+                                     "face " + std::to_string(position)
+                                       + " has a vertex with a coordinate that is not finite", position);
+    }
+  }
+
+  // Fills a tree with the faces of the mesh, in place of what it has held. Throws as check_corners().
   // Complexity: O(n log n) for n faces.
   template <typename AABBTraits>
   static void build_tree(const Triangle_mesh& tm, AABB_tree<AABBTraits>& tree, VertexPointMap vertex_point_map)
   {
     const auto range = faces(tm);
+    std::size_t position = 0;
+    for(const face_descriptor f : range)
+      check_corners(f, position++, tm, vertex_point_map);
     tree.rebuild(range.begin(), range.end(), tm, vertex_point_map);
     // Otherwise the first query would build it, and queries may come from several threads.
     tree.build();

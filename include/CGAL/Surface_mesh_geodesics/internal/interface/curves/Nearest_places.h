@@ -82,7 +82,10 @@ public:
         throw Invalid_geodesic_input(Reason::NOT_A_TRIANGLE, "face " + std::to_string(position)
                                                                + " of the mesh does not have three edges", position);
       if(!obstacles.avoids(static_cast<std::size_t>(get(fim, f))))
+      {
+        Locations::check_corners(f, position, tm, vpm);
         wanted.push_back(f);
+      }
       ++position;
     }
     // (The tree of no faces has no nearest point.)

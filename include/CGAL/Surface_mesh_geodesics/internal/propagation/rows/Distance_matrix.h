@@ -149,9 +149,13 @@ bool wants_more(Output& output)
 template <typename Output, typename Row>
 bool put_row(Output& output, std::size_t i, const Row& row)
 {
+  constexpr bool is_row_output = std::is_invocable<Output&, std::size_t, const Row&>::value;
+  static_assert(is_row_output, "a row is passed to a function of the position of its source and of its distances");
   if(!wants_more(output))
     return false;
-  if constexpr(std::is_void<decltype(output(i, row))>::value)
+  if constexpr(!is_row_output)
+    return false;
+  else if constexpr(std::is_void<decltype(output(i, row))>::value)
   {
     output(i, row);
     return true;
