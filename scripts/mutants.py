@@ -91,6 +91,7 @@ INTRINSIC_MESH = INTERNAL + "surface/Intrinsic_mesh.h"
 EQUAL_SOURCES = INTERNAL + "surface/equal_sources.h"
 LOCATOR = INTERNAL + "Voronoi/Cell_locator.h"
 TRACER = INTERNAL + "Voronoi/fronts/Front_tracer.h"
+FRONT_COMPLETION = INTERNAL + "Voronoi/fronts/Front_completion.h"
 FRONT_MEETING = INTERNAL + "Voronoi/fronts/Front_meeting.h"
 SITE_IMAGE = INTERNAL + "Voronoi/fronts/Site_image.h"
 MEASURES = INTERNAL + "Voronoi/Voronoi_cell_measures.h"
@@ -1374,8 +1375,17 @@ MUTANTS = [
      "distance_around(left(p) < 0 ? left_end : right_end, p)",
      "paths from a point on the line of its interval bend at the wrong end", (POLYHEDRA,)),
     ("touching_distances_by_root", EDGE_PARTITION,
-     "return m_has_rays && does_touch(g, c, first, start) ? first : start;", "return start;",
-     "beside a curve, a cell begins at the rounding of a double root", (POLYHEDRA,)),
+     "return does_touch(g, c, first, start) ? first : start;", "return start;",
+     "a cell begins at the rounding of a double root", (POLYHEDRA, LATTICES)),
+    ("touching_distances_beside_curves_only", EDGE_PARTITION,
+     "return (m_has_rays || to - from > width()) &&", "return m_has_rays &&",
+     "a cell begins at the rounding of a double root if no strip reaches the edge", (LATTICES,)),
+    ("short_ways_do_touch", EDGE_PARTITION,
+     "return (m_has_rays || to - from > width()) &&", "return",
+     "an image that has been left takes over again, next to a vertex", (SYMMETRIC,)),
+    ("rays_are_not_cut", FRONT_COMPLETION,
+     "      i = f.piece_to(v, m_images.width());\n", "      return false;\n",
+     "a front along a ray goes on behind a vertex of the diagram", (LATTICES,)),
     ("tie_of_negative_distances", DIAGRAM_CHECK,
      "(std::abs(at_middle) + best.image().scale)", "at_middle",
      "no path ties with a distance that rounding makes negative, and right diagrams are refused", (LATTICES,)),

@@ -1131,8 +1131,8 @@ public:
   ///
   /// \tparam AABBTraits a model of `AABBTraits` that defines a \cgal `AABB_tree` of the faces
   /// \param tree is built anew
-  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if a corner of a face has a coordinate that is not finite, as
-  ///         do the functions below
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if a corner of a face has a coordinate that is not finite,
+  ///         as do the functions below
   template <typename AABBTraits>
   void build_aabb_tree(AABB_tree<AABBTraits>& tree) const
   {

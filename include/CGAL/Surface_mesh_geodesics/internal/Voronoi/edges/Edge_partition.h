@@ -367,17 +367,21 @@ private:
     if(!(from > first) && !(g.distance_at(from) > c.distance_at(from)))
       return from;
     const FT equal = polished(g, c, from), start = equal >= first && equal <= last ? equal : from;
-    return m_has_rays && does_touch(g, c, first, start) ? first : start;
+    return does_touch(g, c, first, start) ? first : start;
   }
 
   // Do the distances by g and c tie from one abscissa to another, where g is known to become nearer? Distances that
-  // touch are equal at a double root, which is known up to the square root of rounding. It happens beside curves: a
-  // strip takes over from paths around its end, whose distances touch its own on the last ray.
+  // touch are equal at a double root, which is known up to the square root of rounding, or less if they part slowly. It
+  // happens beside curves: a strip takes over from paths around its end, whose distances touch its own on the last ray.
+  // It also happens if the weights of two sites differ by their distance: they tie on one ray. (Without curves, a way
+  // that is not longer than width() is left alone: distances that cross there are known, and the walk may have left g
+  // at this point.)
   bool does_touch(const Image& g, const Image& c, const FT& from, const FT& to) const
   {
     const auto is_before = [&](const FT& x)
     { return is_nearer<FT>(c.distance_at(x) + rounding_of_rays(), g.distance_at(x)); };
-    return to - from <= Tolerance<FT>::touching() * m_length && !is_before(from) && !is_before(from + (to - from) / 2);
+    return (m_has_rays || to - from > width()) && to - from <= Tolerance<FT>::near_end() * m_length && !is_before(from)
+        && !is_before(from + (to - from) / 2);
   }
 
   // Returns the abscissa where g becomes nearer than c, by bisection; `from` if c is not nearer there.

@@ -70,7 +70,9 @@ public:
   // first.) Drops the pieces behind that one.
   bool cut_at(Front& f, const Point& v) const
   {
-    const std::size_t i = f.piece_through(v);
+    std::size_t i = f.piece_through(v);
+    if(i == Front::none) // no bisector leads through v, but a ray may
+      i = f.piece_to(v, m_images.width());
     if(i == Front::none || !(is_nearest_at(f, f.pieces[i].left, v) && is_nearest_at(f, f.pieces[i].right, v)))
       return false;
     end_in_piece(f, i, v);

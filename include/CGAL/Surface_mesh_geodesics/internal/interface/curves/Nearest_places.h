@@ -67,12 +67,14 @@ class Nearest_places
 public:
   using Location = std::pair<face_descriptor, std::array<double, 3>>;
 
-  // Faces to avoid are left out. Throws Invalid_geodesic_input. O(n log n) for n faces.
+  // Faces to avoid are left out: their corners may be anywhere, as no point is located in them. Throws
+  // Invalid_geodesic_input, with the position of the face: NOT_A_TRIANGLE for any face, as the tree would take its first
+  // three corners, NON_FINITE_POINT for a corner of a face that is not avoided, and INVALID_CURVE if no face is left.
+  // O(n log n) for n faces.
   template <typename FaceIndexMap>
   Nearest_places(const TriangleMesh& tm, VertexPointMap vpm, const Obstacles& obstacles, FaceIndexMap fim)
     : m_tm(tm), m_vpm(vpm)
   {
-    // The tree would take the first three corners of any face.
     using Reason = Invalid_geodesic_input::Reason;
     std::vector<face_descriptor> wanted;
     std::size_t position = 0;
