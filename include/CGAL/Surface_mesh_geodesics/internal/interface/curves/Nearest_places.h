@@ -68,9 +68,9 @@ public:
   using Location = std::pair<face_descriptor, std::array<double, 3>>;
 
   // Faces to avoid are left out: their corners may be anywhere, as no point is located in them. Throws
-  // Invalid_geodesic_input, with the position of the face: NOT_A_TRIANGLE for any face, as the tree would take its first
-  // three corners, NON_FINITE_POINT for a corner of a face that is not avoided, and INVALID_CURVE if no face is left.
-  // O(n log n) for n faces.
+  // Invalid_geodesic_input, with the position of the face: NOT_A_TRIANGLE for any face, as the tree would take its
+  // first three corners, NON_FINITE_POINT for a corner of a face that is not avoided, and INVALID_CURVE if no face is
+  // left. O(n log n) for n faces.
   template <typename FaceIndexMap>
   Nearest_places(const TriangleMesh& tm, VertexPointMap vpm, const Obstacles& obstacles, FaceIndexMap fim)
     : m_tm(tm), m_vpm(vpm)
