@@ -126,7 +126,7 @@ void certified_cases()
   check_case(Lattice{3, 0., true, 4}, 6134, true);   // distances as small as the rounding of rays
   for(const unsigned int seed : {22298u, 33726u})    // weights that differ by a distance: sites tie on one ray
     check_case(Lattice{2, 0., true}, seed, true);
-  for(const unsigned int seed : {11242u, 25584u, 33023u, 37513u})
+  for(const unsigned int seed : {11242u, 25584u, 33023u, 37513u}) // the same, in thirds
     check_case(Lattice{3, 0., true, 4}, seed, true);
   check_case(Lattice{2, 0., true}, 39994, true);     // a vertex of the diagram on a ray
 }

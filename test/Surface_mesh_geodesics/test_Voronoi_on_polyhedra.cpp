@@ -79,7 +79,7 @@ void bisectors_along_edges()
 }
 
 // Edges from which the distances of two sites touch, bisectors whose images are on one ray, and an image on the line of
-// its interval.
+// its interval. (2147 and 5967 are of the second kind, 3307 is of the first one.)
 void touching_distances()
 {
   for(const std::uint64_t seed : {1418u, 2147u, 3074u, 4146u, 5967u})

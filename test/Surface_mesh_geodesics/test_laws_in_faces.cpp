@@ -320,6 +320,26 @@ void the_nearest_image_takes_over(test_support::Random& random)
   CHECK(number_of_intervals > 10000);
 }
 
+// Two images that are much nearer to each other and to the edge than the edge is long, and whose weights differ by the
+// distance between them: they tie along most of the edge, but not beside them.
+void images_that_nearly_touch_the_edge(test_support::Random& random)
+{
+  double worst = 0;
+  for(std::size_t i = 0; i < 20000; ++i)
+  {
+    const double size = std::pow(10., random.uniform(-11., -7.));
+    const auto length = [&](double smallest) { return size * std::pow(10., random.uniform(smallest, 1.)); };
+    const double d = length(-1), foot = random.uniform(.05, .9);
+    const Image c{0., 1., foot, length(-2), 1 + d, 2};
+    const Image g{foot - random.uniform(1e-4, 9e-4), 1., foot + d, length(-2), 1., 3};
+    const Edge e{c.distance_at(0), (std::min)(c.distance_at(1), g.distance_at(1)), {c, g}};
+    const Partition p = partition_of(e);
+    for(const double x : {.95, random.uniform(foot, 1.)})
+      worst = (std::max)(worst, partition_distance(p, x) - (std::min)(c.distance_at(x), g.distance_at(x)));
+  }
+  CHECK(worst <= 64 * epsilon);
+}
+
 void an_image_that_ties_does_not_take_over(test_support::Random& random)
 {
   for(std::size_t i = 0; i < 2000; ++i)
@@ -373,6 +393,7 @@ int main()
   nearer_points_satisfy_bound_and_laws(random);
   nearer_distances_are_in_a_strict_order(random);
   the_nearest_image_takes_over(random);
+  images_that_nearly_touch_the_edge(random);
   an_image_that_ties_does_not_take_over(random);
   edges_obey_symmetries(random);
   return test_support::test_result();

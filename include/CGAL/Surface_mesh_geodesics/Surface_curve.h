@@ -207,7 +207,7 @@ public:
 
   /// returns whether the curve is closed. A curve along halfedges is closed if it ends where it begins. One that was
   /// made of two locations or more is closed if that was asked for; else it is open, even if its last location is the
-  /// first one.
+  /// first one. One of a single location is open.
   bool is_closed() const { return m_is_closed; }
 
   /// returns the vertex of a curve that is a single vertex; else the null vertex.

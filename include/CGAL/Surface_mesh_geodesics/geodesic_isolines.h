@@ -37,7 +37,7 @@ its first point, and any other one begins and ends at the border. There, all win
 distance may be asked for later. Here, the distances are known from the start: the lines are found while the wavefront
 passes, which takes little more memory than `geodesic_distances()` (see \ref Surface_mesh_geodesics_isolines). The
 distances of the vertices are computed on the way, and are written if `vertex_distance_map` is among the named
-parameters; without it and `nearest_source_map`, the propagation ends behind the largest level.
+parameters; without it and without `nearest_source_map`, the propagation ends behind the largest level.
 
 The sources may be curves. Then the lines are the curves parallel to them, on both sides; those at the distance 0 are
 the curves themselves, and are not written. (`Surface_mesh_geodesic_paths::signed_isolines()` chooses one side.)

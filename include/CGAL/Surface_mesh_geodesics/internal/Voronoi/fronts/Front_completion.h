@@ -64,14 +64,14 @@ public:
     f.stop = Front_stop::OUTSIDE;
   }
 
-  // Ends the front at v if a piece leads through v and its images are still the nearest ones there; returns whether
-  // that is so. (Where two sites nearly tie, a trace may have met a third cell behind the vertex v. Two images that
-  // nearly coincide are equally far from points at some distance from their curve, too, which other paths may reach
-  // first.) Drops the pieces behind that one.
+  // Ends the front at v if a piece leads to v or through it and its images are still the nearest ones there; returns
+  // whether that is so. (Where two sites nearly tie, a trace may have met a third cell behind the vertex v. Two images
+  // that nearly coincide are equally far from points at some distance from their curve, too, which other paths may
+  // reach first.) Drops the pieces behind that one.
   bool cut_at(Front& f, const Point& v) const
   {
     std::size_t i = f.piece_through(v);
-    if(i == Front::none) // no bisector leads through v, but a ray may
+    if(i == Front::none) // no bisector leads through v, but a piece may end there, or a ray lead through it
       i = f.piece_to(v, m_images.width());
     if(i == Front::none || !(is_nearest_at(f, f.pieces[i].left, v) && is_nearest_at(f, f.pieces[i].right, v)))
       return false;

@@ -149,7 +149,7 @@ bool wants_more(Output& output)
 template <typename Output, typename Row>
 bool put_row(Output& output, std::size_t i, const Row& row)
 {
-  constexpr bool is_row_output = std::is_invocable<Output&, std::size_t, const Row&>::value;
+  constexpr bool is_row_output = std::is_invocable<Output&, std::size_t&, const Row&>::value;
   static_assert(is_row_output, "a row is passed to a function of the position of its source and of its distances");
   if(!wants_more(output))
     return false;
