@@ -46,8 +46,8 @@ public:
 
   /// is called after each `on_progress()`. Returning `false` cancels the propagation: nothing is written to the
   /// property maps of the caller, and a function that returns `bool` returns `false`. Sampling and relaxation, which
-  /// propagate several times, return their last complete results. Remeshing adds nothing. For
-  /// `geodesic_peeling_order()`, certificates and stored matrices see there.
+  /// propagate several times, return their last complete results. Remeshing adds nothing. The
+  /// reference of `geodesic_peeling_order()`, of certificates and of stored matrices says what these return.
   bool go_further();
 
   /// is called once at the end, also after a cancellation.

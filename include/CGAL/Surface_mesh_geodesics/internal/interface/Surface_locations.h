@@ -143,9 +143,9 @@ struct Surface_locations
 
   // --- locations of points of space ---
 
-  // Throws Invalid_geodesic_input if a corner of a face has a coordinate that is infinite or not a number: CGAL's trees
-  // would assert, or hold boxes of other points. (Numbers that are not floating point have no such values.) `position`
-  // is that of the face in its range.
+  // Throws Invalid_geodesic_input if a corner of a face has a coordinate that is infinite or not a number. With
+  // assertions, CGAL's trees would stop; without them, their boxes would be wrong. (Only floating point numbers have
+  // such values.) `position` is that of the face in its range.
   static void check_corners(face_descriptor f, std::size_t position, const Triangle_mesh& tm,
                             VertexPointMap vertex_point_map)
   {
