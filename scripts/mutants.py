@@ -31,6 +31,7 @@ SOURCES = INTERNAL + "surface/Source_insertion.h"
 PARALLEL = INTERNAL + "propagation/parallel/Parallel_distance_propagation.h"
 PART = INTERNAL + "propagation/parallel/Wavefront_part.h"
 DIVISION = INTERNAL + "propagation/parallel/Wavefront_division.h"
+THRESHOLD_QUEUE = INTERNAL + "propagation/parallel/Threshold_queue.h"
 VERTEX_RECORDS = INTERNAL + "propagation/parallel/Vertex_records.h"
 SHARING = INTERNAL + "propagation/parallel/Work_sharing.h"
 FARTHEST = INTERNAL + "surface/Farthest_vertex_queue.h"
@@ -570,9 +571,15 @@ MUTANTS = [
      "      push(q.vertex, q.key, part, worker);\n      return;", "      return;",
      "vertices next to one that is visited are never visited", (PARALLEL_TEST,)),
     ("parallel_end_too_early", PART,
-     "m_nearest_key = !m_batch.empty() ? m_batch.front().key\n                  : m_queue.empty() ",
-     "m_nearest_key = m_queue.empty() ",
+     "m_nearest_key = m_batch.empty() ? m_queue.nearest_key() : m_batch.front().key;\n    m_farthest_key = 0;",
+     "m_nearest_key = m_queue.nearest_key();\n    m_farthest_key = 0;\n    if(m_nearest_key > 0)\n      return;",
      "a run to targets ends before the nearest vertices are visited", (PARALLEL_TEST,)),
+    ("place_of_last_entry_forgotten", THRESHOLD_QUEUE,
+     "      (*m_records)[m_entries[i].vertex].position = static_cast<std::uint32_t>(i);\n", "",
+     "a vertex of the queue gets the key of another one", (PARALLEL_TEST,)),
+    ("queued_key_not_decreased", THRESHOLD_QUEUE,
+     "m_entries[position].key = (std::min)(m_entries[position].key, key);", "static_cast<void>(key);",
+     "a vertex stays in the queue with a key that is too large", (PARALLEL_TEST,)),
     ("messages_in_any_order", PART,
      "if(best == nullptr || i.wins(*best))", "if(best == nullptr)",
      "of several improvements of a vertex the first message counts", (PARALLEL_TEST,)),

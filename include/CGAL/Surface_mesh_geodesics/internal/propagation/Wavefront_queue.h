@@ -38,10 +38,7 @@ namespace internal {
 //
 // Debug builds with CGAL_CHECK_EXPENSIVE check the neighborhood of each entry that moves, and the whole queue in
 // restart().
-//
-// `Table` is the type of the table of positions: a std::vector, or one that several queues share (Vertex_records.h). Of
-// these queues, no two contain the same vertex.
-template <typename FT, typename Table = std::vector<std::uint32_t>>
+template <typename FT>
 class Wavefront_queue
 {
 public:
@@ -49,9 +46,6 @@ public:
   explicit Wavefront_queue(std::size_t number_of_vertices)
     : m_position(number_of_vertices, null_id)
   {}
-
-  // An empty queue with a table that has no position yet.
-  explicit Wavefront_queue(Table table) : m_position(table) {}
 
   // Empties the queue, for the vertices 0 .. number_of_vertices - 1. Linear in the number of entries and of vertices
   // that are new; independent of the size of the mesh otherwise.
@@ -206,7 +200,7 @@ private:
 
   std::vector<Entry> m_heap;
   FT m_largest_key = 0;
-  Table m_position; // in m_heap, by vertex
+  std::vector<std::uint32_t> m_position; // in m_heap, by vertex
 };
 
 } // namespace internal

@@ -40,6 +40,7 @@
 // propagated in the end.
 
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/memory_hints.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Star_propagation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Stopping_criterion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Vertex_star.h>
@@ -418,8 +419,17 @@ private:
       const Vertex_id next = batch[i + 1 < u.last ? i + 1 : i].vertex;
       m_mesh.prefetch_star(next);
       visit(worker, batch[i], next);
+      prefetch_records_around(next);
       m_clock.end_unit();
     }
+  }
+
+  // Asks for what is_nearest_of_links() reads; a visit needs it again.
+  void prefetch_records_around(Vertex_id v) const
+  {
+    if(m_mesh.has_star(v))
+      for(const Halfedge_id* h = m_mesh.star_begin(v); h != m_mesh.star_end(v); ++h)
+        prefetch(&m_division.records()[m_mesh.target(*h)]);
   }
 
   // Visits a vertex of the batch, or queues it again. Lists are put back at once, and improvements become messages: see
@@ -446,8 +456,7 @@ private:
   }
 
   // Is the vertex of a star nearer than all its neighbors in the batch, or as near and of a smaller number? Then no
-  // neighbor is visited. (All marks are read, without a branch: each is a different place in memory, and the processor
-  // asks for all of them at once. The visit needs the records again.) Requires: star.surround() was called.
+  // neighbor is visited. (Without a branch, as none could be predicted.) Requires: star.surround() was called.
   bool is_nearest_of_links(const Vertex_star<FT>& star) const
   {
     const Vertex_records<FT>& records = m_division.records();

@@ -17,13 +17,14 @@
 // for the memory. So all answers are in one record, and a record does not lie on two cache lines.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/memory_hints.h>
 
 #include <CGAL/assertions.h>
 
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
+#include <vector>
 
 // Visual C++ warns of structs that are padded. They are, on purpose: see above.
 #ifdef _MSC_VER
@@ -49,6 +50,13 @@ struct Batch_mark
 template <typename FT>
 struct alignas(32) Vertex_record
 {
+  Vertex_record() = default;
+
+  // For a table that is made; no other thread knows it then.
+  Vertex_record(const Vertex_record& other)
+    : best(other.best), mark(other.mark), position(other.position), part_in_run(other.part_in_run.load())
+  {}
+
   const Vertex_improvement<FT>* best = nullptr; // null between updates
   Batch_mark mark;
   std::uint32_t position = null_id;             // in the queue of its part
@@ -74,16 +82,17 @@ public:
   // ever before, and every 16 million runs. Requires: no vertex is in a queue, and no record has a best improvement.
   void restart(std::size_t number_of_vertices)
   {
-    if(number_of_vertices > m_size || m_run == last_run)
+    if(number_of_vertices > size() || m_run == last_run)
     {
-      m_records.reset(new Record[number_of_vertices]);
-      m_size = number_of_vertices;
+      m_records = std::vector<Record>();
+      reserve_large(m_records, number_of_vertices);
+      m_records.resize(number_of_vertices);
       m_run = 0;
     }
     ++m_run;
   }
 
-  std::size_t size() const { return m_size; }
+  std::size_t size() const { return m_records.size(); }
   Record& operator[](Vertex_id v) { return m_records[v]; }
   const Record& operator[](Vertex_id v) const { return m_records[v]; }
 
@@ -109,16 +118,16 @@ public:
   // Forgets the best improvements, or the batches, of all vertices.
   void clear_best()
   {
-    for(std::size_t v = 0; v < m_size; ++v)
-      m_records[v].best = nullptr;
+    for(Record& record : m_records)
+      record.best = nullptr;
   }
   void clear_marks()
   {
-    for(std::size_t v = 0; v < m_size; ++v)
-      m_records[v].mark = Batch_mark();
+    for(Record& record : m_records)
+      record.mark = Batch_mark();
   }
 
-  std::size_t memory() const { return m_size * sizeof(Record); }
+  std::size_t memory() const { return m_records.capacity() * sizeof(Record); }
 
 private:
   static constexpr unsigned int part_bits = 8;
@@ -130,28 +139,8 @@ private:
     return (m_run << part_bits) | static_cast<std::uint32_t>(part);
   }
 
-  std::unique_ptr<Record[]> m_records; // by vertex
-  std::size_t m_size = 0;
+  std::vector<Record> m_records; // by vertex
   std::uint32_t m_run = 0; // 0 before the first restart()
-};
-
-// The table of positions for Wavefront_queue. It refers to the records, and several queues may share it.
-template <typename FT>
-class Queue_positions
-{
-public:
-  Queue_positions() = default;
-  explicit Queue_positions(Vertex_records<FT>& records) : m_records(&records) {}
-
-  std::uint32_t& operator[](std::size_t v) const
-  {
-    CGAL_expensive_assertion(v < size());
-    return (*m_records)[static_cast<Vertex_id>(v)].position;
-  }
-  std::size_t size() const { return m_records->size(); }
-
-private:
-  Vertex_records<FT>* m_records = nullptr;
 };
 
 } // namespace internal

@@ -22,14 +22,13 @@
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Vertex_star.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Wavefront.h>
-#include <CGAL/Surface_mesh_geodesics/internal/propagation/Wavefront_queue.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Threshold_queue.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Vertex_records.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 
 #include <CGAL/assertions.h>
 
+#include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 // Visual C++ warns of classes that are padded to cache lines. They are, on purpose: several threads change them at the
@@ -42,19 +41,6 @@
 namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
-
-// An entry of a queue, in a batch or on its way to a queue. The order is that of Wavefront_queue.
-template <typename FT>
-struct Queued_vertex
-{
-  FT key;
-  Vertex_id vertex;
-
-  bool operator<(const Queued_vertex& other) const
-  {
-    return key < other.key || (!(other.key < key) && vertex < other.vertex);
-  }
-};
 
 // A shorter path to a vertex, found in the star of another one, `star`: the arguments of Wavefront::improve().
 template <typename FT>
@@ -112,7 +98,7 @@ public:
   // Begins with tables for the vertices of a mesh, whose entries are null_id and nullptr. Requires: clear() was called.
   void begin(Vertex_records<FT>& records)
   {
-    m_queue = Queue(Queue_positions<FT>(records));
+    m_queue.begin(records);
     m_records = &records;
     m_is_taking_over = false;
   }
@@ -158,20 +144,19 @@ public:
     m_reached.clear();
   }
 
-  // Moves all vertices with keys up to a limit from the queue into the batch, nearest first. Requires: the batch is
-  // empty.
+  // Moves all vertices with keys up to a limit from the queue into the batch. Linear in the number of both. Requires:
+  // the batch is empty.
   void fill_batch(const FT& limit)
   {
     CGAL_expensive_assertion(m_batch.empty());
-    while(!m_queue.empty() && m_queue.top_key() <= limit)
+    m_queue.move_up_to(limit, m_batch);
+    m_nearest_key = m_batch.empty() ? m_queue.nearest_key() : m_batch.front().key;
+    m_farthest_key = 0;
+    for(const Queued_vertex<FT>& q : m_batch)
     {
-      m_batch.push_back({m_queue.top_key(), m_queue.top()});
-      m_queue.pop();
+      m_nearest_key = (std::min)(m_nearest_key, q.key);
+      m_farthest_key = (std::max)(m_farthest_key, q.key);
     }
-    m_nearest_key = !m_batch.empty() ? m_batch.front().key
-                  : m_queue.empty()  ? Vertex_distance_field<FT>::infinity()
-                                     : m_queue.top_key();
-    m_farthest_key = m_batch.empty() ? FT(0) : m_batch.back().key;
   }
 
   // The vertices to be visited. The division of the wavefront may move vertices from one batch to another.
@@ -212,9 +197,7 @@ private:
 
   const Improvement*& best_of(const Improvement& i) { return (*m_records)[i.vertex].best; }
 
-  using Queue = Wavefront_queue<FT, Queue_positions<FT>>;
-
-  Queue m_queue{Queue_positions<FT>()};
+  Threshold_queue<FT> m_queue;
   Vertex_records<FT>* m_records = nullptr;
   std::vector<Queued_vertex<FT>> m_batch;
   FT m_nearest_key = 0, m_farthest_key = 0;
