@@ -321,7 +321,7 @@ private:
                                        + "beside the mesh", m_order[i]);
   }
 
-  static constexpr std::size_t faces_ahead = 4; // see prefetch_names()
+  static constexpr std::size_t faces_ahead = 12; // see prefetch_names()
 
   std::vector<Connected_face> m_faces; // by number; the corners become vertices in number_vertices()
   std::vector<std::uint32_t> m_order;  // by number: the position of the face
