@@ -70,6 +70,7 @@ public:
     for(std::size_t i = 0; i < threads.size(); ++i)
       m_predicted[i] += !m_is_worth_sharing ? sum
                         : m_sharing_cost + (m_is_of_visits ? longest_thread(threads[i]) : sum / double(threads[i]));
+    m_last = now(); // the prediction is no work of the propagation
   }
 
   // Nanoseconds between start() and stop(), and how they are divided.
