@@ -31,6 +31,7 @@ SOURCES = INTERNAL + "surface/Source_insertion.h"
 PARALLEL = INTERNAL + "propagation/parallel/Parallel_distance_propagation.h"
 PART = INTERNAL + "propagation/parallel/Wavefront_part.h"
 DIVISION = INTERNAL + "propagation/parallel/Wavefront_division.h"
+THRESHOLD = INTERNAL + "propagation/parallel/Batch_threshold.h"
 THRESHOLD_QUEUE = INTERNAL + "propagation/parallel/Threshold_queue.h"
 VERTEX_RECORDS = INTERNAL + "propagation/parallel/Vertex_records.h"
 SHARING = INTERNAL + "propagation/parallel/Work_sharing.h"
@@ -580,6 +581,12 @@ MUTANTS = [
     ("queued_key_not_decreased", THRESHOLD_QUEUE,
      "m_entries[position].key = (std::min)(m_entries[position].key, key);", "static_cast<void>(key);",
      "a vertex stays in the queue with a key that is too large", (PARALLEL_TEST,)),
+    ("ties_by_number", PARALLEL,
+     "size >= smallest_large_tie && !(nearest < middle)", "false",
+     "neighbors with the same key wait for each other one after the other", (PARALLEL_TEST,)),
+    ("threshold_never_goes_back", THRESHOLD,
+     "    if(2 * b.number_visited < b.size)\n", "    if(b.size == 0)\n",
+     "among short edges a batch reaches far, and most of it waits", (PARALLEL_TEST,)),
     ("messages_in_any_order", PART,
      "if(best == nullptr || i.wins(*best))", "if(best == nullptr)",
      "of several improvements of a vertex the first message counts", (PARALLEL_TEST,)),

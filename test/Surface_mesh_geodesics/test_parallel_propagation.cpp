@@ -20,7 +20,9 @@
 #endif
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <numeric>
 #include <stdexcept>
 #include <vector>
 
@@ -168,6 +170,68 @@ void threads_do_not_change_the_distances(const Indexed_mesh& indexed, test_suppo
   check_task(mesh, task);
 }
 
+// How often a run asks whether to go on: the number of its batches.
+template <class Propagation>
+std::size_t number_of_batches(Propagation& propagation, const Vertices& sources)
+{
+  propagation.restart();
+  for(const internal::Vertex_id v : sources)
+  {
+    propagation.add_source(v, 0.);
+  }
+  std::size_t n = 0;
+  CHECK(propagation.run(
+    [&](std::size_t, double)
+    {
+      ++n;
+      return true;
+    }));
+  return n;
+}
+
+// All vertices are sources, so all keys are the same at first. Their neighbors do not wait for them one after the other.
+void ties_take_few_batches(std::uint64_t seed)
+{
+  test_support::Scope scope("ties");
+  const Intrinsic_mesh mesh = intrinsic_mesh(to_face_graph(noisy_sphere(5, .1, seed)));
+  Vertices all(mesh.number_of_vertices());
+  std::iota(all.begin(), all.end(), 0);
+  Field field;
+  Parallel_propagation propagation(mesh, field, Parallel_propagation::default_batch_size, Thread_team(1));
+  CHECK(number_of_batches(propagation, all) < 100);
+}
+
+// The edges of this mesh differ by many orders of magnitude. A batch does not reach far beyond the short ones, where
+// vertices would be visited long before their turn.
+void long_and_short_edges_make_few_superfluous_windows(std::uint64_t seed)
+{
+  test_support::Scope scope("long and short edges");
+  const Indexed_mesh sphere = noisy_sphere(5, .1, seed);
+  const Indexed_mesh graded = transformed(sphere, "graded",
+                                          [](const Coordinates& p)
+                                          {
+                                            const double f = std::exp(12. * p[0]);
+                                            return Coordinates{f * p[0], f * p[1], f * p[2]};
+                                          });
+  const Intrinsic_mesh mesh = intrinsic_mesh(to_face_graph(graded));
+  Field field, expected;
+  internal::Distance_propagation<double> sequential(mesh, expected);
+  Parallel_propagation propagation(mesh, field, Parallel_propagation::default_batch_size, Thread_team(1));
+  std::size_t windows = 0, windows_of_sequential = 0;
+  for(const internal::Vertex_id source : {0, 1000, 5000})
+  {
+    number_of_batches(sequential, {source});
+    number_of_batches(propagation, {source});
+    windows += propagation.statistics().windows_propagated;
+    windows_of_sequential += sequential.statistics().windows_propagated;
+    for(std::size_t v = 0; v < field.distance.size(); ++v)
+    {
+      CHECK_CLOSE(field.distance[v], expected.distance[v], 1e-13);
+    }
+  }
+  CHECK(static_cast<double>(windows) < 1.15 * static_cast<double>(windows_of_sequential));
+}
+
 // A run that is canceled or ends by an exception does not influence the next one.
 void broken_off_runs_leave_no_trace(std::uint64_t seed)
 {
@@ -312,6 +376,8 @@ int main()
   {
     threads_do_not_change_the_distances(indexed, random);
   }
+  ties_take_few_batches(seed);
+  long_and_short_edges_make_few_superfluous_windows(seed);
   broken_off_runs_leave_no_trace(seed);
   more_threads_than_processors_change_no_distance(seed);
   memory_does_not_grow_from_run_to_run();

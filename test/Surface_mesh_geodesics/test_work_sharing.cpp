@@ -13,6 +13,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <cstdint>
 #include <stdexcept>
 #include <thread>
@@ -195,7 +196,7 @@ void batches_are_a_small_part_of_the_wavefront(test_support::Random& random)
       const double farthest = keys[size - 1];
       for(std::size_t i = 0; i < size; ++i)
         keys[i] += random.uniform(0, scale);
-      threshold.go_on(size, farthest, front);
+      threshold.go_on({size, size, keys.front(), farthest, std::numeric_limits<double>::infinity(), front});
       if(round >= 100)
       {
         small += size < front / 50;

@@ -18,17 +18,31 @@
 // The aim is a sixth of the wavefront, or a third of a long one. A third makes a few windows in ten thousand more than
 // one visit at a time does, and more neighbors wait. Where the wavefront is short, that costs more than it saves.
 //
-// The threshold advances by a step that grows or shrinks with the last batch. All depends on the numbers of vertices
-// only, hence neither on the number of threads nor on their speed.
+// The threshold advances by a step that grows or shrinks with the last batch. If most of a batch had to wait, it goes
+// back to the nearest ones: where edges are short beside those elsewhere on the wavefront, a step that takes in a third
+// of the wavefront reaches over many edges, and each vertex waits for the one before it. All depends on the numbers of
+// vertices and on their keys only, hence neither on the number of threads nor on their speed.
 
 #include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 
 namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
+
+// What the threshold needs to know of a batch that has been visited.
+template <typename FT>
+struct Batch_measures
+{
+  std::size_t size;           // greater than 0
+  std::size_t number_visited; // the others wait for a neighbor
+  FT nearest, farthest;       // of its keys
+  FT middle;                  // as many keys are smaller as twice the number visited, if that is less than the size
+  std::size_t wavefront_size; // with the batch
+};
 
 template <typename FT>
 class Batch_threshold
@@ -52,19 +66,33 @@ public:
   // Goes on from the nearest vertex, after a batch without vertices.
   void go_on_from(const FT& nearest) { m_limit = nearest + m_step; }
 
-  // Goes on after a batch of `size` vertices, the farthest of which had the key `farthest`, when the wavefront had
-  // `wavefront_size` vertices with them. Requires: size > 0.
-  void go_on(std::size_t size, const FT& farthest, std::size_t wavefront_size)
+  // Goes on after a batch with vertices.
+  void go_on(const Batch_measures<FT>& b)
   {
-    const std::size_t aim = (std::max)(m_smallest_aim, part_of(wavefront_size));
-    const FT wanted = FT(aim) / FT(size);
-    if(wanted < 1 || size < wavefront_size) // a step that takes in the whole wavefront is long enough
+    CGAL_assertion(b.size > 0);
+    const FT reached = (std::min)(m_limit, b.farthest);
+    if(2 * b.number_visited < b.size)
+    {
+      go_back(b);
+      return;
+    }
+    const std::size_t aim = (std::max)(m_smallest_aim, part_of(b.wavefront_size));
+    const FT wanted = FT(aim) / FT(b.size);
+    if(wanted < 1 || b.size < b.wavefront_size) // a step that takes in the whole wavefront is long enough
       m_step *= (std::max)(FT(1) / 2, (std::min)(wanted, FT(2)));
     m_step = (std::max)(m_step, smallest_step());
-    m_limit = (std::min)(m_limit, farthest) + m_step;
+    m_limit = reached + m_step;
   }
 
 private:
+  // Aims at a batch of which half is visited. If all keys up to the middle are the same, the step is none to blame.
+  void go_back(const Batch_measures<FT>& b)
+  {
+    if(b.nearest < b.middle)
+      m_step = (std::max)((std::min)(m_step, FT(b.middle - b.nearest)), smallest_step());
+    m_limit = b.middle;
+  }
+
   // How many vertices of a wavefront a batch should have.
   static std::size_t part_of(std::size_t wavefront_size)
   {
@@ -73,7 +101,7 @@ private:
   }
 
   // Keeps the step from vanishing among many vertices with the same key.
-  static FT smallest_step() { return FT(1) / (1 << 20); }
+  static FT smallest_step() { return FT(1) / (std::int64_t(1) << 40); }
 
   std::size_t m_smallest_aim;
   FT m_limit = 0, m_step = 0;

@@ -17,8 +17,8 @@
 // 1. Parts. Each part of the wavefront takes over what the last visits have left for its vertices, and moves its
 //    vertices with keys up to a threshold into the batch (Wavefront_part.h, Batch_threshold.h).
 // 2. Visits. Of neighbors in the batch only the nearest one is visited; the others are queued again. A visit takes its
-//    lists, propagates them and puts them back, all by itself: no two visits of a batch use the same list
-//    (Wavefront.h). What concerns vertices is left as messages for the parts.
+//    lists, propagates them and puts them back by itself: no two visits of a batch use the same list (Wavefront.h). What
+//    concerns vertices is left as messages for the parts.
 //
 // A keeper sees the windows (Star_propagation.h). Either each thread keeps the windows of its visits, with a keeper of
 // its own. Or the keeper cannot be divided; then one thread gives it the windows of the last batch while the others
@@ -29,7 +29,6 @@
 // others.
 //
 // So the batches, and with them every bit of the result, depend neither on the number of threads nor on their speed.
-// What no other thread can help with is a few operations per round: choosing the threshold and asking the visitor.
 // Rounds that are too small to share are done by the calling thread alone.
 //
 // What is shared. The mesh does not change. Distances change in the phase of the parts only, each by the part of its
@@ -78,7 +77,7 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// How many visits of a batch a thread does at a time: few enough that all threads end at about the same time.
+// How many visits of a batch a thread does at a time, so that all threads end at about the same time.
 inline std::size_t visits_per_unit(std::size_t number_of_visits, std::size_t number_of_threads)
 {
   return (std::max)(number_of_visits / (8 * number_of_threads), std::size_t(1));
@@ -252,9 +251,8 @@ private:
 
  // --- the conductor: the calling thread ---
 
-  // Visits batches until nothing waits or a limit is reached. Returns false as soon as go_on() does. Each turn of the
-  // loop is a round. A batch is empty if the threshold is below the nearest key; then only the threshold moves. go_on()
-  // is isolated, as it calls the user's visitor, which may use TBB.
+  // Visits batches until nothing waits or a limit is reached. Returns false as soon as go_on() does. A batch is empty if
+  // the threshold is below the nearest key. go_on() is isolated, as it calls the user's visitor, which may use TBB.
   template <typename GoOn>
   bool conduct(GoOn go_on)
   {
@@ -285,8 +283,11 @@ private:
         m_threshold.go_on_from(nearest);
       else
       {
-        visit_batch(size);
-        m_threshold.go_on(size, farthest, front);
+        const std::size_t n = visit_batch(size);
+        const FT middle = m_division.key_of_rank(2 * n);
+        m_threshold.go_on({size, n, nearest, farthest, middle, front});
+        m_do_ranks_break_ties = size >= smallest_large_tie && !(nearest < middle);
+        m_division.clear_batches();
       }
     }
     CGAL_assertion(number_of_windows() == 0);
@@ -318,9 +319,10 @@ private:
     ++m_round;
   }
 
-  // Phase 2. A keeper that depends on the order of visits gets them in the order of their keys.
-  void visit_batch(std::size_t n)
+  // Phase 2. Returns how many vertices were visited. A keeper that depends on the order gets that of their keys.
+  std::size_t visit_batch(std::size_t n)
   {
+    const std::size_t visits_before = number_of_visits();
     const bool is_worth_it = n >= smallest_shared_batch;
     if(Keeper::is_deferred)
       m_division.sort_batches();
@@ -331,11 +333,11 @@ private:
     for(std::uint32_t& end : m_ends)
       end += static_cast<std::uint32_t>(m_relay.number_of_own_units());
     share(false, is_worth_it, [this](std::uint32_t i) { do_unit(*m_workers.front(), i); });
-    m_division.clear_batches();
     m_size_of_last_batch = n;
     m_maximum_windows_alive = (std::max)(m_maximum_windows_alive, number_of_windows());
     for(const std::unique_ptr<Worker>& worker : m_workers)
       m_wavefront.lists().share_surplus(worker->own_slots);
+    return number_of_visits() - visits_before;
   }
 
   // Divides the batches of all parts, n vertices, into units. Each thread gets those of its parts.
@@ -409,7 +411,6 @@ private:
                     [&](std::size_t i) { visit_unit(worker, i); });
   }
 
-  // Visits some vertices of the batch, one after the other.
   void visit_unit(Worker& worker, std::size_t unit)
   {
     const Unit u = m_units[unit];
@@ -424,7 +425,7 @@ private:
     }
   }
 
-  // Asks for what is_nearest_of_links() reads; a visit needs it again.
+  // Asks for what is_nearest_of_links() reads.
   void prefetch_records_around(Vertex_id v) const
   {
     if(m_mesh.has_star(v))
@@ -455,17 +456,18 @@ private:
                           [&](Vertex_id v, const FT& key) { push(v, key, part, worker); });
   }
 
-  // Is the vertex of a star nearer than all its neighbors in the batch, or as near and of a smaller number? Then no
-  // neighbor is visited. (Without a branch, as none could be predicted.) Requires: star.surround() was called.
+  // Is the vertex of a star nearer than all its neighbors in the batch, or as near and before them in the order of ties?
+  // Then no neighbor is visited. (Without a branch, as none could be predicted.) Requires: star.surround() was called.
   bool is_nearest_of_links(const Vertex_star<FT>& star) const
   {
     const Vertex_records<FT>& records = m_division.records();
     const float key = records[star.vertex].mark.key;
+    const std::uint32_t factor = m_do_ranks_break_ties ? factor_of_rank : 1;
     bool is_nearest = true;
     for(const Link_vertex<FT>& link : star.links)
     {
       const Batch_mark& other = records[link.vertex].mark;
-      const bool is_nearer = other.key < key || (!(key < other.key) && link.vertex < star.vertex);
+      const bool is_nearer = other.key < key || (!(key < other.key) && factor * link.vertex < factor * star.vertex);
       is_nearest = is_nearest && !(other.round == m_round && is_nearer);
     }
     return is_nearest;
@@ -512,11 +514,11 @@ private:
       for(std::size_t i = 0; i < n; ++i)
         m_messages_of_part[i].push_back(&worker->messages[i]);
     }
-    m_size_of_last_batch = 0;
-    m_number_of_shared_batches = 0;
+    m_size_of_last_batch = m_number_of_shared_batches = 0;
+    m_do_ranks_break_ties = false;
   }
 
-  // Drops what a run that did not end has left: messages, and windows of stars that an exception has left.
+  // Drops what a run that did not end has left: messages, and windows in stars.
   void drop_stars_and_messages()
   {
     for(const std::unique_ptr<Worker>& worker : m_workers)
@@ -557,8 +559,10 @@ private:
     return [this](Vertex_id v, const FT& key) { m_division.push(v, key); };
   }
 
-  // Regions drift apart slowly. Until they are balanced again, threads help each other.
-  static constexpr std::size_t batches_per_balance = 8;
+  static constexpr std::size_t batches_per_balance = 8; // until then, threads help each other
+
+  // Ties of so many neighbors take too long in the order of their numbers, see Vertex_records.h.
+  static constexpr std::size_t smallest_large_tie = 256;
 
   static constexpr std::size_t smallest_shared_update = 16; // visits that have left messages
   static constexpr std::size_t smallest_shared_batch = 6;   // visits
@@ -580,6 +584,7 @@ private:
   std::vector<Unit> m_units;                      // of the visits
   std::vector<std::uint32_t> m_ends;              // of the units of the phase, by thread
   bool m_is_shared = false; // do other threads take part in the phase?
+  bool m_do_ranks_break_ties = false;
   Batch_threshold<FT> m_threshold;
   Work_sharing m_sharing;
   Clock m_clock;

@@ -24,6 +24,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Vertex_records.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Wavefront_part.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 
 #include <CGAL/assertions.h>
 
@@ -132,6 +133,17 @@ public:
     return nearest_key();
   }
 
+  // The key of the vertex with this rank in all batches, the smallest key first; infinity if they have not so many.
+  FT key_of_rank(std::size_t rank)
+  {
+    if(rank >= size_of_batch())
+      return Vertex_distance_field<FT>::infinity();
+    gather_batches();
+    const auto at = m_buffer.begin() + static_cast<std::ptrdiff_t>(rank);
+    std::nth_element(m_buffer.begin(), at, m_buffer.end());
+    return at->key;
+  }
+
   // Has a part improved a vertex that had emitted windows, since the last call?
   bool forget_stale_windows()
   {
@@ -190,9 +202,7 @@ public:
   // Sorts the vertices of all batches by key, and deals them out to the batches in this order, evenly.
   void sort_batches()
   {
-    m_buffer.clear();
-    for(Part& part : m_parts)
-      m_buffer.insert(m_buffer.end(), part.batch().begin(), part.batch().end());
+    gather_batches();
     std::sort(m_buffer.begin(), m_buffer.end());
     const std::size_t n = m_buffer.size(), parts = m_parts.size();
     const auto at = [&](std::size_t i) { return m_buffer.begin() + static_cast<std::ptrdiff_t>(n * i / parts); };
@@ -206,6 +216,14 @@ public:
   }
 
 private:
+  // Copies the vertices of all batches to the buffer.
+  void gather_batches()
+  {
+    m_buffer.clear();
+    for(const Part& part : m_parts)
+      m_buffer.insert(m_buffer.end(), part.batch().begin(), part.batch().end());
+  }
+
   static bool has_smaller_number(const Queued_vertex<FT>& a, const Queued_vertex<FT>& b) { return a.vertex < b.vertex; }
   static bool has_larger_number(const Queued_vertex<FT>& a, const Queued_vertex<FT>& b) { return b.vertex < a.vertex; }
 
