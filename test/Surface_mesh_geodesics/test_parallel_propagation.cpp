@@ -189,7 +189,7 @@ std::size_t number_of_batches(Propagation& propagation, const Vertices& sources)
   return n;
 }
 
-// All vertices are sources, so all keys are the same at first. Their neighbors do not wait for them one after the other.
+// All vertices are sources, so all keys are the same at first. They do not wait for each other one after the other.
 void ties_take_few_batches(std::uint64_t seed)
 {
   test_support::Scope scope("ties");

@@ -44,6 +44,17 @@ struct Batch_measures
   std::size_t wavefront_size; // with the batch
 };
 
+// How many visits of a batch a thread does at a time, so that all threads end at about the same time.
+inline std::size_t visits_per_unit(std::size_t number_of_visits, std::size_t number_of_threads)
+{
+  return (std::max)(number_of_visits / (8 * number_of_threads), std::size_t(1));
+}
+
+// Life cycle: start() begins a run. Each round reads limit(), and then calls go_on() with what has been visited, or
+// go_on_from() if no vertex had a key up to the limit. All functions take constant time.
+//
+// Progress: the nearest vertex of a batch is always visited, and after a batch without vertices the next limit reaches
+// the nearest one.
 template <typename FT>
 class Batch_threshold
 {

@@ -17,8 +17,8 @@
 // 1. Parts. Each part of the wavefront takes over what the last visits have left for its vertices, and moves its
 //    vertices with keys up to a threshold into the batch (Wavefront_part.h, Batch_threshold.h).
 // 2. Visits. Of neighbors in the batch only the nearest one is visited; the others are queued again. A visit takes its
-//    lists, propagates them and puts them back by itself: no two visits of a batch use the same list (Wavefront.h). What
-//    concerns vertices is left as messages for the parts.
+//    lists, propagates them and puts them back by itself: no two visits of a batch use the same list (Wavefront.h).
+//    What concerns vertices is left as messages for the parts.
 //
 // A keeper sees the windows (Star_propagation.h). Either each thread keeps the windows of its visits, with a keeper of
 // its own. Or the keeper cannot be divided; then one thread gives it the windows of the last batch while the others
@@ -76,12 +76,6 @@
 namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
-
-// How many visits of a batch a thread does at a time, so that all threads end at about the same time.
-inline std::size_t visits_per_unit(std::size_t number_of_visits, std::size_t number_of_threads)
-{
-  return (std::max)(number_of_visits / (8 * number_of_threads), std::size_t(1));
-}
 
 // Measures nothing: see Parallel_distance_propagation.
 struct No_phase_clock
@@ -251,8 +245,8 @@ private:
 
  // --- the conductor: the calling thread ---
 
-  // Visits batches until nothing waits or a limit is reached. Returns false as soon as go_on() does. A batch is empty if
-  // the threshold is below the nearest key. go_on() is isolated, as it calls the user's visitor, which may use TBB.
+  // Visits batches until nothing waits or a limit is reached. Returns false as soon as go_on() does. A batch is empty
+  // if the threshold is below the nearest key. go_on() is isolated, as it calls the user's visitor, which may use TBB.
   template <typename GoOn>
   bool conduct(GoOn go_on)
   {
@@ -456,8 +450,8 @@ private:
                           [&](Vertex_id v, const FT& key) { push(v, key, part, worker); });
   }
 
-  // Is the vertex of a star nearer than all its neighbors in the batch, or as near and before them in the order of ties?
-  // Then no neighbor is visited. (Without a branch, as none could be predicted.) Requires: star.surround() was called.
+  // Is the vertex of a star nearer than all its neighbors in the batch, or as near and before them in their order? Then
+  // no neighbor is visited. (Without a branch, as none could be predicted.) Requires: star.surround() was called.
   bool is_nearest_of_links(const Vertex_star<FT>& star) const
   {
     const Vertex_records<FT>& records = m_division.records();

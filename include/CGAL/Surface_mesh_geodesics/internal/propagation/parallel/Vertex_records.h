@@ -41,8 +41,8 @@ struct Vertex_improvement; // Wavefront_part.h
 
 // Of neighbors with the same key, that with the smallest number is visited first, as in the sequential propagation. If
 // there are many, such as sources, each would wait for the one before it, as vertices are numbered breadth first. Then
-// the number times this factor decides, modulo 2^32: that spreads numbers in a row evenly, and makes no two equal. It is
-// 2^32 divided by the golden ratio.
+// the number times this factor decides, modulo 2^32. That spreads numbers in a row evenly, and makes no two of them
+// equal. The factor is 2^32 divided by the golden ratio.
 constexpr std::uint32_t factor_of_rank = 0x9e3779b1u;
 
 // The batch to which a vertex belonged last, and its key there, rounded. Rounding makes ties but no other order, and
