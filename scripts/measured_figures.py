@@ -21,7 +21,7 @@ CSV_FILES = {
     "Voronoi_diagram": "voronoi.csv"} | {name: name + ".csv" for name in (
     "face_queries", "isolines", "curves", "directions", "obstacles", "certified_meshes", "growth", "anisotropy",
     "sources", "reach", "rules", "instruction_sets", "schedulers", "flat_vertices", "threads", "phases", "matrix",
-    "matrix_store", "rows", "interleaved_rows", "brain", "threads_on_16_cores", "uses_of_diagrams", "python", "compile_times", "remeshing",
+    "matrix_store", "rows", "interleaved_rows", "brain", "uses_of_diagrams", "python", "compile_times", "remeshing",
     "ordinary_case")}
 
 # The picture in the manual -> the results that it shows; draw_plots.py draws it.
@@ -273,8 +273,6 @@ TABLES = {
         "time ratio: lines_ratio .2",
         skip=lambda row: row["run_ms"] == ""),
     "threads": table("threads", MESH, FACES, "threads: threads $", "call, ms: call_ms ±", "speedup: speedup ~"),
-    "threads_on_16_cores": table("threads_on_16_cores", MESH, FACES, "threads: threads $", "call, ms: call_ms ±",
-                                 "speedup: speedup ~"),
     "phases": table("phases", MESH, FACES, "run, ms: run_ms ~", "serial share: serial_share .3",
         "2 threads: predicted_2 ~", "4: predicted_4 ~", "8: predicted_8 ~", "16: predicted_16 ~",
         "64: predicted_64 ~"),

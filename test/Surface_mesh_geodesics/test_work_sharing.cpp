@@ -13,8 +13,8 @@
 #include <atomic>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <cstdint>
+#include <limits>
 #include <stdexcept>
 #include <thread>
 #include <vector>
@@ -193,10 +193,10 @@ void batches_are_a_small_part_of_the_wavefront(test_support::Random& random)
         threshold.go_on_from(keys.front());
         continue;
       }
-      const double farthest = keys[size - 1];
+      const double nearest = keys.front(), farthest = keys[size - 1];
       for(std::size_t i = 0; i < size; ++i)
         keys[i] += random.uniform(0, scale);
-      threshold.go_on({size, size, keys.front(), farthest, std::numeric_limits<double>::infinity(), front});
+      threshold.go_on({size, nearest, farthest, std::numeric_limits<double>::infinity(), front});
       if(round >= 100)
       {
         small += size < front / 50;

@@ -11,7 +11,7 @@
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_PARALLEL_BATCH_THRESHOLD_H
 
 // How far the next batch of the parallel propagation reaches: the batch has all vertices of the wavefront whose keys
-// are not greater than a threshold.
+// are not greater than a threshold. Also which of two neighbors with the same key is visited.
 //
 // A batch should be large enough to share, and small beside the wavefront: a vertex that is visited long before its
 // turn propagates windows that a nearer one would have pruned. And of two neighbors in a batch, one has to wait.
@@ -20,8 +20,16 @@
 //
 // The threshold advances by a step that grows or shrinks with the last batch. If most of a batch had to wait, it goes
 // back to the nearest ones: where edges are short beside those elsewhere on the wavefront, a step that takes in a third
-// of the wavefront reaches over many edges, and each vertex waits for the one before it. All depends on the numbers of
-// vertices and on their keys only, hence neither on the number of threads nor on their speed.
+// of the wavefront reaches over many edges, and each vertex waits for the one before it.
+//
+// Ties. Of neighbors with the same key, that with the smaller number is visited first, as in the sequential
+// propagation. Among many, such as sources, each would wait for the one before it, as vertices are numbered breadth
+// first. Then their numbers are multiplied, modulo 2^32: that spreads numbers in a row evenly, and makes no two equal.
+//
+// All depends on the numbers of vertices and on their keys only, hence neither on the number of threads nor on their
+// speed.
+
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 
 #include <CGAL/assertions.h>
 
@@ -38,17 +46,10 @@ template <typename FT>
 struct Batch_measures
 {
   std::size_t size;           // greater than 0
-  std::size_t number_visited; // the others wait for a neighbor
   FT nearest, farthest;       // of its keys
-  FT middle;                  // as many keys are smaller as twice the number visited, if that is less than the size
+  FT middle;                  // where to go back to if most of the batch had to wait for a neighbor, else infinity
   std::size_t wavefront_size; // with the batch
 };
-
-// How many visits of a batch a thread does at a time, so that all threads end at about the same time.
-inline std::size_t visits_per_unit(std::size_t number_of_visits, std::size_t number_of_threads)
-{
-  return (std::max)(number_of_visits / (8 * number_of_threads), std::size_t(1));
-}
 
 // Life cycle: start() begins a run. Each round reads limit(), and then calls go_on() with what has been visited, or
 // go_on_from() if no vertex had a key up to the limit. All functions take constant time.
@@ -70,9 +71,13 @@ public:
   {
     m_limit = 0;
     m_step = FT(1) / 64;
+    m_factor_of_ties = 1;
   }
 
   const FT& limit() const { return m_limit; }
+
+  // Of neighbors with the same key, that with the smallest product of this factor and its number is visited first.
+  std::uint32_t factor_of_ties() const { return m_factor_of_ties; }
 
   // Goes on from the nearest vertex, after a batch without vertices.
   void go_on_from(const FT& nearest) { m_limit = nearest + m_step; }
@@ -81,8 +86,8 @@ public:
   void go_on(const Batch_measures<FT>& b)
   {
     CGAL_assertion(b.size > 0);
-    const FT reached = (std::min)(m_limit, b.farthest);
-    if(2 * b.number_visited < b.size)
+    m_factor_of_ties = b.size >= smallest_large_tie && !(b.nearest < b.middle) ? factor_of_large_tie : 1;
+    if(b.middle < Vertex_distance_field<FT>::infinity())
     {
       go_back(b);
       return;
@@ -92,11 +97,11 @@ public:
     if(wanted < 1 || b.size < b.wavefront_size) // a step that takes in the whole wavefront is long enough
       m_step *= (std::max)(FT(1) / 2, (std::min)(wanted, FT(2)));
     m_step = (std::max)(m_step, smallest_step());
-    m_limit = reached + m_step;
+    m_limit = (std::min)(m_limit, b.farthest) + m_step;
   }
 
 private:
-  // Aims at a batch of which half is visited. If all keys up to the middle are the same, the step is none to blame.
+  // If all keys up to the middle are the same, the step stays: a smaller one would change nothing.
   void go_back(const Batch_measures<FT>& b)
   {
     if(b.nearest < b.middle)
@@ -114,8 +119,12 @@ private:
   // Keeps the step from vanishing among many vertices with the same key.
   static FT smallest_step() { return FT(1) / (std::int64_t(1) << 40); }
 
+  static constexpr std::size_t smallest_large_tie = 256;
+  static constexpr std::uint32_t factor_of_large_tie = 0x9e3779b1; // 2^32 divided by the golden ratio, an odd number
+
   std::size_t m_smallest_aim;
   FT m_limit = 0, m_step = 0;
+  std::uint32_t m_factor_of_ties = 1;
 };
 
 } // namespace internal

@@ -29,6 +29,7 @@
 // others.
 //
 // So the batches, and with them every bit of the result, depend neither on the number of threads nor on their speed.
+// What no other thread can help with is a few operations per round: choosing the threshold and asking the visitor.
 // Rounds that are too small to share are done by the calling thread alone.
 //
 // What is shared. The mesh does not change. Distances change in the phase of the parts only, each by the part of its
@@ -245,8 +246,9 @@ private:
 
  // --- the conductor: the calling thread ---
 
-  // Visits batches until nothing waits or a limit is reached. Returns false as soon as go_on() does. A batch is empty
-  // if the threshold is below the nearest key. go_on() is isolated, as it calls the user's visitor, which may use TBB.
+  // Visits batches until nothing waits or a limit is reached. Returns false as soon as go_on() does. Each turn of the
+  // loop is a round. A batch is empty if the threshold is below the nearest key; then only the threshold moves. go_on()
+  // is isolated, as it calls the user's visitor, which may use TBB.
   template <typename GoOn>
   bool conduct(GoOn go_on)
   {
@@ -278,9 +280,7 @@ private:
       else
       {
         const std::size_t n = visit_batch(size);
-        const FT middle = m_division.key_of_rank(2 * n);
-        m_threshold.go_on({size, n, nearest, farthest, middle, front});
-        m_do_ranks_break_ties = size >= smallest_large_tie && !(nearest < middle);
+        m_threshold.go_on({size, nearest, farthest, m_division.key_to_go_back_to(n), front});
         m_division.clear_batches();
       }
     }
@@ -313,7 +313,8 @@ private:
     ++m_round;
   }
 
-  // Phase 2. Returns how many vertices were visited. A keeper that depends on the order gets that of their keys.
+  // Phase 2. Returns how many vertices were visited. A keeper that depends on the order of visits gets them in the
+  // order of their keys.
   std::size_t visit_batch(std::size_t n)
   {
     const std::size_t visits_before = number_of_visits();
@@ -405,6 +406,7 @@ private:
                     [&](std::size_t i) { visit_unit(worker, i); });
   }
 
+  // Visits some vertices of the batch, one after the other.
   void visit_unit(Worker& worker, std::size_t unit)
   {
     const Unit u = m_units[unit];
@@ -450,13 +452,14 @@ private:
                           [&](Vertex_id v, const FT& key) { push(v, key, part, worker); });
   }
 
-  // Is the vertex of a star nearer than all its neighbors in the batch, or as near and before them in their order? Then
-  // no neighbor is visited. (Without a branch, as none could be predicted.) Requires: star.surround() was called.
+  // Is the vertex of a star nearer than all its neighbors in the batch, or as near and first of a tie? Then no neighbor
+  // is visited. (All marks are read, without a branch: each is a different place in memory, and the processor asks for
+  // all of them at once.) Requires: star.surround() was called.
   bool is_nearest_of_links(const Vertex_star<FT>& star) const
   {
     const Vertex_records<FT>& records = m_division.records();
     const float key = records[star.vertex].mark.key;
-    const std::uint32_t factor = m_do_ranks_break_ties ? factor_of_rank : 1;
+    const std::uint32_t factor = m_threshold.factor_of_ties();
     bool is_nearest = true;
     for(const Link_vertex<FT>& link : star.links)
     {
@@ -508,11 +511,11 @@ private:
       for(std::size_t i = 0; i < n; ++i)
         m_messages_of_part[i].push_back(&worker->messages[i]);
     }
-    m_size_of_last_batch = m_number_of_shared_batches = 0;
-    m_do_ranks_break_ties = false;
+    m_size_of_last_batch = 0;
+    m_number_of_shared_batches = 0;
   }
 
-  // Drops what a run that did not end has left: messages, and windows in stars.
+  // Drops what a run that did not end has left: messages, and windows of stars that an exception has left.
   void drop_stars_and_messages()
   {
     for(const std::unique_ptr<Worker>& worker : m_workers)
@@ -553,10 +556,8 @@ private:
     return [this](Vertex_id v, const FT& key) { m_division.push(v, key); };
   }
 
-  static constexpr std::size_t batches_per_balance = 8; // until then, threads help each other
-
-  // Ties of so many neighbors take too long in the order of their numbers, see Vertex_records.h.
-  static constexpr std::size_t smallest_large_tie = 256;
+  // Regions drift apart slowly. Until they are balanced again, threads help each other.
+  static constexpr std::size_t batches_per_balance = 8;
 
   static constexpr std::size_t smallest_shared_update = 16; // visits that have left messages
   static constexpr std::size_t smallest_shared_batch = 6;   // visits
@@ -578,7 +579,6 @@ private:
   std::vector<Unit> m_units;                      // of the visits
   std::vector<std::uint32_t> m_ends;              // of the units of the phase, by thread
   bool m_is_shared = false; // do other threads take part in the phase?
-  bool m_do_ranks_break_ties = false;
   Batch_threshold<FT> m_threshold;
   Work_sharing m_sharing;
   Clock m_clock;

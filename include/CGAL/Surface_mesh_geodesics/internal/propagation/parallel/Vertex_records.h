@@ -39,12 +39,6 @@ namespace internal {
 template <typename FT>
 struct Vertex_improvement; // Wavefront_part.h
 
-// Of neighbors with the same key, that with the smallest number is visited first, as in the sequential propagation. If
-// there are many, such as sources, each would wait for the one before it, as vertices are numbered breadth first. Then
-// the number times this factor decides, modulo 2^32. That spreads numbers in a row evenly, and makes no two of them
-// equal. The factor is 2^32 divided by the golden ratio.
-constexpr std::uint32_t factor_of_rank = 0x9e3779b1u;
-
 // The batch to which a vertex belonged last, and its key there, rounded. Rounding makes ties but no other order, and
 // neighbors see the same marks: of two neighbors in a batch, both agree which one is nearer. Round 0 is none.
 struct Batch_mark
@@ -58,7 +52,7 @@ struct alignas(32) Vertex_record
 {
   Vertex_record() = default;
 
-  // For a table that is made; no other thread knows it then.
+  // A std::vector asks for it. No record is copied, as the table is made in its full size.
   Vertex_record(const Vertex_record& other)
     : best(other.best), mark(other.mark), position(other.position), part_in_run(other.part_in_run.load())
   {}

@@ -133,13 +133,14 @@ public:
     return nearest_key();
   }
 
-  // The key of the vertex with this rank in all batches, the smallest key first; infinity if they have not so many.
-  FT key_of_rank(std::size_t rank)
+  // Returns up to which key a batch should reach for half of it to be visited, if n vertices of this one were: the key
+  // that is larger than 2 n others in the batch. Returns infinity if half of it was visited.
+  FT key_to_go_back_to(std::size_t n)
   {
-    if(rank >= size_of_batch())
+    if(2 * n >= size_of_batch())
       return Vertex_distance_field<FT>::infinity();
     gather_batches();
-    const auto at = m_buffer.begin() + static_cast<std::ptrdiff_t>(rank);
+    const auto at = m_buffer.begin() + static_cast<std::ptrdiff_t>(2 * n);
     std::nth_element(m_buffer.begin(), at, m_buffer.end());
     return at->key;
   }

@@ -23,6 +23,7 @@
 
 #include <CGAL/assertions.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -45,6 +46,12 @@
 namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
+
+// How many visits of a batch a thread does at a time: few enough that all threads end at about the same time.
+inline std::size_t visits_per_unit(std::size_t number_of_visits, std::size_t number_of_threads)
+{
+  return (std::max)(number_of_visits / (8 * number_of_threads), std::size_t(1));
+}
 
 // Waits for another thread: spins at first, then gives the processor away. The pause tells the processor that this is a
 // loop of waiting, so that it leaves its units to the other thread of its core.
