@@ -202,7 +202,7 @@ void long_and_short_edges_make_few_superfluous_windows(std::uint64_t seed)
   internal::Distance_propagation<double> sequential(mesh, expected);
   Parallel_propagation propagation(mesh, field, Parallel_propagation::default_batch_size, Thread_team(1));
   std::size_t windows = 0, windows_of_sequential = 0;
-  for(const internal::Vertex_id source : {0, 1000, 5000})
+  for(const internal::Vertex_id source : {0u, 1000u, 5000u})
   {
     Task task;
     task.sources = {source};
