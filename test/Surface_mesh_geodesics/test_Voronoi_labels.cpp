@@ -202,10 +202,28 @@ void a_visitor_cancels()
   Mesh mesh = to_face_graph(icosphere(2));
   const Maps labels(mesh);
   Canceling_visitor visitor;
+  Geodesics::Propagation_statistics counts;
   CHECK(!Geodesics::geodesic_Voronoi_labels(mesh, labels.site, vertex_descriptor(3),
-                                            CGAL::parameters::visitor(std::ref(visitor))));
+                                            CGAL::parameters::statistics(&counts).visitor(std::ref(visitor))));
   CHECK_EQUAL(visitor.number_of_calls, 10);
   CHECK_EQUAL(labels.site[vertex_descriptor(0)], std::size_t(77));
+  CHECK(counts.windows_propagated > 0);
+}
+
+// The counts are those of the distances, and a second call adds to them.
+void statistics_are_added()
+{
+  Mesh mesh = to_face_graph(noisy_sphere(3, .1, 5));
+  const Maps maps(mesh);
+  const std::vector<vertex_descriptor> sites = {vertex_descriptor(0), vertex_descriptor(100)};
+  Geodesics::Propagation_statistics of_distances, of_labels;
+  CHECK(Geodesics::geodesic_distances(mesh, maps.distance, sites, CGAL::parameters::statistics(&of_distances)));
+  for(std::size_t calls = 1; calls <= 2; ++calls)
+  {
+    CHECK(Geodesics::geodesic_Voronoi_labels(mesh, maps.site, sites, CGAL::parameters::statistics(&of_labels)));
+    CHECK_EQUAL(of_labels.windows_propagated, calls * of_distances.windows_propagated);
+  }
+  CHECK(of_distances.windows_propagated > 0);
 }
 
 // A mesh of another type, with maps that are not its own.
@@ -237,6 +255,7 @@ int main()
   weights_are_subtracted();
   invalid_weights_are_rejected();
   a_visitor_cancels();
+  statistics_are_added();
   a_polyhedron_is_accepted();
   return test_result();
 }

@@ -93,6 +93,12 @@ on several curves with the same weight gets the first of them.
     \cgalParamType{a range of numbers that convert to `double`}
     \cgalParamDefault{an empty range: all weights are 0}
   \cgalParamNEnd
+  \cgalParamNBegin{statistics}
+    \cgalParamDescription{if not null, the computation <em>adds</em> its counts to the object, also if the visitor
+                          canceled it.}
+    \cgalParamType{a pointer to `Propagation_statistics`}
+    \cgalParamDefault{`nullptr`}
+  \cgalParamNEnd
   \cgalParamNBegin{faces_to_avoid}
     \cgalParamDescription{the faces through which no path may lead, as for `geodesic_distances()`}
     \cgalParamType{a range of face descriptors of `TriangleMesh`, or a class model of `ReadablePropertyMap` with the

@@ -105,7 +105,7 @@ bool compute_Voronoi_labels(const TriangleMesh& tm, SiteMap site_map, const Site
   auto distance_map = map_parameter<Vertex, double, No_distance_map<Vertex>>(np, internal_np::vertex_distance_map);
   const Offsets_of_weights from_weights(range_parameter<double>(np, internal_np::site_weights));
   const Distance_options<TriangleMesh, SiteMap> options{
-    std::numeric_limits<double>::infinity(), {}, from_weights.offsets(), site_map, nullptr};
+    std::numeric_limits<double>::infinity(), {}, from_weights.offsets(), site_map, statistics_parameter(np)};
   Visitor_parameter<NamedParameters> visitor_parameter(np);
   auto& visitor = visitor_parameter.visitor();
   return compute_geodesic_distances<ConcurrencyTag>(

@@ -146,8 +146,8 @@ using Distance_certificate_parameters
   = Extended_set<Edge_length_certificate_parameters, internal_np::vertex_point_t>::type;
 
 using Label_parameters = Extended_set<Mesh_and_visitor_parameters, internal_np::vertex_distance_map_t,
-                                      internal_np::site_weights_t, internal_np::faces_to_avoid_t,
-                                      internal_np::edges_to_avoid_t>::type;
+                                      internal_np::site_weights_t, internal_np::statistics_t,
+                                      internal_np::faces_to_avoid_t, internal_np::edges_to_avoid_t>::type;
 using Sampling_parameters = Extended_set<Mesh_and_visitor_parameters, internal_np::first_samples_t,
                                          internal_np::covering_radius_t, internal_np::statistics_t,
                                          internal_np::faces_to_avoid_t, internal_np::edges_to_avoid_t,
