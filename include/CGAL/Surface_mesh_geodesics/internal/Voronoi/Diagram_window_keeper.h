@@ -22,6 +22,8 @@
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/passing/Deferred_window_keeper.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <type_traits>
@@ -40,8 +42,8 @@ using Diagram_window_keeper = Deferred_window_keeper<Removal>;
 // during the batch before are divided, and those that were divided during that one join the complex, in the order in
 // which they were handed over. So the complex does not depend on the threads.
 //
-// Threads: divide() may be called in several threads at once, each with a number of its own, and beside add() and
-// add_divided(), which one thread at a time calls. Nothing else runs beside the other functions.
+// Threads: the units of a batch may be done in several threads at once, each with a number of its own, and beside
+// add(), which one thread at a time calls. Nothing else runs beside the other functions.
 template <typename FT>
 class Deferred_division
 {
@@ -65,28 +67,24 @@ public:
     m_handed_over.items[m_handed_over.size++].divided = divided;
   }
 
-  // Begins a batch. Returns the number of units of divide(), which have to be done before the next one begins.
+  // Begins a batch. Returns the number of its units, which have to be done before the next one begins.
   std::size_t begin_batch()
   {
-    add_divided();
+    CGAL_precondition(m_divided.size == 0);
     std::swap(m_divided, m_in_work);
     std::swap(m_in_work, m_handed_over);
-    return (m_in_work.size + faces_per_unit() - 1) / faces_per_unit();
+    m_joins = m_divided.size == 0 ? 0 : 1;
+    return m_joins + (m_in_work.size + faces_per_unit() - 1) / faces_per_unit();
   }
 
-  // Divides the faces of a unit.
-  void divide(std::size_t unit, std::size_t thread)
+  // Does a unit: divides some faces, or lets those of the batch before join the complex. That unit comes first, as it
+  // may take longest.
+  void do_unit(std::size_t unit, std::size_t thread)
   {
-    const std::size_t first = unit * faces_per_unit();
+    if(unit < m_joins)
+      return add_divided();
+    const std::size_t first = (unit - m_joins) * faces_per_unit();
     divide(m_in_work, first, (std::min)(first + faces_per_unit(), m_in_work.size), m_partition[thread]);
-  }
-
-  // Lets the faces that have been divided in the batch before join the complex.
-  void add_divided()
-  {
-    for(std::size_t i = 0; i < m_divided.size; ++i)
-      m_complex->add(m_divided.items[i].divided, m_divided.items[i].division);
-    m_divided.size = 0;
   }
 
   // Divides all faces that wait, in this thread, and lets them join the complex. Requires: no unit has been done since
@@ -94,12 +92,13 @@ public:
   void finish()
   {
     m_partition.resize((std::max)(m_partition.size(), std::size_t(1)));
+    add_divided();
     for(int i = 0; i < 2; ++i) // those in work, then those handed over since
     {
       divide(m_in_work, 0, m_in_work.size, m_partition.front());
       begin_batch();
+      add_divided();
     }
-    add_divided();
   }
 
   // The memory of the faces that wait, in bytes.
@@ -127,8 +126,15 @@ private:
     std::size_t size = 0;
   };
 
-  // At most a thousand units, however many faces there are.
-  std::size_t faces_per_unit() const { return 1 + m_in_work.size / 1000; }
+  // At most a thousand units, with that of the faces that join, however many faces there are.
+  std::size_t faces_per_unit() const { return 1 + m_in_work.size / 900; }
+
+  void add_divided()
+  {
+    for(std::size_t i = 0; i < m_divided.size; ++i)
+      m_complex->add(m_divided.items[i].divided, m_divided.items[i].division);
+    m_divided.size = 0;
+  }
 
   void divide(Faces& faces, std::size_t first, std::size_t last, Face_partition<FT>& partition) const
   {
@@ -141,6 +147,7 @@ private:
 
   Voronoi_complex<FT>* m_complex;
   Faces m_handed_over, m_in_work, m_divided; // between two batches the faces move on to the next one of these
+  std::size_t m_joins = 0; // 1 or 0: the number of units in which faces join the complex
   std::vector<Face_partition<FT>> m_partition; // by thread
 };
 
@@ -157,14 +164,8 @@ public:
 
   void restart(std::size_t number_of_threads) { m_division->restart(number_of_threads); }
   std::size_t begin_batch() { return m_division->begin_batch(); }
-  void do_unit(std::size_t unit, std::size_t thread) { m_division->divide(unit, thread); }
+  void do_unit(std::size_t unit, std::size_t thread) { m_division->do_unit(unit, thread); }
   std::size_t memory() const { return m_division->memory(); }
-
-  void advance(const FT& reached)
-  {
-    m_division->add_divided();
-    Base::advance(reached);
-  }
 
 private:
   Deferred_division<FT>* m_division;
