@@ -22,7 +22,7 @@ CSV_FILES = {
     "face_queries", "isolines", "curves", "directions", "obstacles", "certified_meshes", "growth", "anisotropy",
     "sources", "reach", "rules", "instruction_sets", "schedulers", "flat_vertices", "threads", "phases", "matrix",
     "matrix_store", "rows", "interleaved_rows", "brain", "uses_of_diagrams", "python", "compile_times", "remeshing",
-    "ordinary_case")}
+    "ordinary_case", "small_component", "threads_on_16_cores")}
 
 # The picture in the manual -> the results that it shows; draw_plots.py draws it.
 PLOTS = {"plot_ratios.svg": "all_meshes", "plot_growth.svg": "growth"}
@@ -199,6 +199,10 @@ PATH_QUANTITIES = {
 }
 WAYS = {"always": "always", "backward": "never", "lazily": "when asked for"}
 VARIANT = ("variant", lambda row: {"direct": "direct", "intrinsic": "Delaunay"}[row["variant"]])
+def nanoseconds_per_face(row):
+    return 1e6 * float(row["read_ms"]) / float(row["faces"])
+
+
 TABLES = {
     "standard_meshes": table("standard_meshes", MESH, FACES, "original, ms: original_ms ±", "ours, ms: ours_ms ±",
         "time ratio: time_ratio .1", "original, added MB: original_added_mb .1", "ours, added MB: ours_added_mb .2",
@@ -248,7 +252,8 @@ TABLES = {
         "time ratio: time_ratio .1", "memory ratio: memory_ratio .1",
         ("windows per face", lambda row: plain(float(row["windows_propagated"]) / float(row["faces"]), 1)),
         "ns per window: ns_per_window"),
-    "growth": table("growth", MESH, FACES, "reading, ms: read_ms ~", "run without reading, ms: run_ms ~",
+    "growth": table("growth", MESH, FACES, "reading, ms: read_ms ~",
+        ("reading, ns per face", lambda row: plain(nanoseconds_per_face(row), 0)), "run without reading, ms: run_ms ~",
         ("part of reading, %", lambda row: plain(100 * float(row["read_share"]), 0)),
         "windows per face: windows_per_face .1", "ns per window: ns_per_window .1",
         "mesh, bytes per face: mesh_bytes_per_face", "windows at once, MB: window_mb ~"),
@@ -272,7 +277,12 @@ TABLES = {
         "time ratio: time_ratio .2", "if it took no time: largest_time_ratio .2", "along lines, ms: lines_ms ±",
         "time ratio: lines_ratio .2",
         skip=lambda row: row["run_ms"] == ""),
+    "small_component": table("small_component", MESH, FACES, "faces of the component: component_faces",
+        "source elsewhere, ms: large_ms ±", "source on the component, ms: small_ms ±",
+        "the component alone, ms: alone_ms .3", "original, ms: original_ms ±", "original / ours: ratio .1"),
     "threads": table("threads", MESH, FACES, "threads: threads $", "call, ms: call_ms ±", "speedup: speedup ~"),
+    "threads_on_16_cores": table("threads_on_16_cores", MESH, FACES, "threads: threads $", "call, ms: call_ms ±",
+        "speedup: speedup ~"),
     "phases": table("phases", MESH, FACES, "run, ms: run_ms ~", "serial share: serial_share .3",
         "2 threads: predicted_2 ~", "4: predicted_4 ~", "8: predicted_8 ~", "16: predicted_16 ~",
         "64: predicted_64 ~"),
@@ -320,6 +330,23 @@ def figures(results):
         found[f"{name}_runs"] = results.comment(name, r"(\d+) runs")
     def add_range(name, numbers, form=short):
         found.update({f"{name}_min": form(min(numbers)), f"{name}_max": form(max(numbers))})
+    add_range("reading_ns", [nanoseconds_per_face(row) for row in rows("growth")], round)
+    add_range("reading_percent", [100 * share for share in values("growth", "read_share")], round)
+    found["bytes_per_face"] = round(max(values("growth", "mesh_bytes_per_face")))
+    for mesh in ("bunny00", "refined_elephant", "armadillo"):
+        found[f"time_ratio_{mesh}"] = round(values("standard_meshes", "time_ratio", mesh=mesh + ".off", subdivisions=0)[0])
+    for n in (1, 2):
+        for subdivisions, speedup in enumerate(values("threads", "speedup", mesh="bunny00.off", threads=n)):
+            found[f"speedup_{n}_{subdivisions}"] = f"{speedup:.2f}"
+    for n in (8, 16):
+        found[f"speedup_{n}_measured"] = f"{values('threads_on_16_cores', 'speedup', subdivisions=2, threads=n)[0]:.1f}"
+        found[f"speedup_{n}_predicted"] = f"{values('phases', f'predicted_{n}', subdivisions=2)[0]:.1f}"
+    uses = rows("uses_of_diagrams")
+    for name, some in (("few", [r for r in uses if int(r["sites"]) < 100]), ("many", [r for r in uses if int(r["sites"]) >= 1000])):
+        add_range(f"diagram_{name}", [float(r["diagram_over_distances"]) for r in some], "{:.1f}".format)
+        add_range(f"diagram_{name}_threads", [float(r["speedup"]) for r in some], "{:.1f}".format)
+    add_range("curve_ratio", values("curves", "ratio"), "{:.1f}".format)
+    found["compile_ratio"] = f"{values('compile_times', 'ratio', program='drop_in_shortest_paths')[0]:.1f}"
     for ratio in ("time_ratio", "memory_ratio"):
         add_range(f"standard_meshes_{ratio}", values("standard_meshes", ratio), round)
         add_range(f"all_meshes_{ratio}", values("all_meshes", ratio))

@@ -28,6 +28,7 @@ SECTOR = INTERNAL + "propagation/Emission_sector.h"
 NORMALS = INTERNAL + "propagation/Sector_between_normals.h"
 WAVEFRONT = INTERNAL + "propagation/Wavefront.h"
 SOURCES = INTERNAL + "surface/Source_insertion.h"
+INDEX_TABLE = INTERNAL + "numeric/Index_table.h"
 PARALLEL = INTERNAL + "propagation/parallel/Parallel_distance_propagation.h"
 PART = INTERNAL + "propagation/parallel/Wavefront_part.h"
 DIVISION = INTERNAL + "propagation/parallel/Wavefront_division.h"
@@ -578,6 +579,9 @@ MUTANTS = [
     ("place_of_last_entry_forgotten", THRESHOLD_QUEUE,
      "      (*m_records)[m_entries[i].vertex].position = static_cast<std::uint32_t>(i);\n", "",
      "a vertex of the queue gets the key of another one", (PARALLEL_TEST,)),
+    ("table_grows_in_two_steps", INDEX_TABLE,
+     "    std::vector<Value> values(n);\n    keys.swap(m_keys);", "    keys.swap(m_keys);\n    std::vector<Value> values(n);",
+     "without memory for the values, a table has more keys than values", ("test_parallel_out_of_memory",)),
     ("queued_key_not_decreased", THRESHOLD_QUEUE,
      "m_entries[position].key = (std::min)(m_entries[position].key, key);", "static_cast<void>(key);",
      "a vertex stays in the queue with a key that is too large", (PARALLEL_TEST,)),

@@ -42,7 +42,8 @@ list() {
     printf '%s\0address_undefined\0-fsanitize=address,undefined -fno-sanitize=shift-base -fno-sanitize-recover=undefined\0' "$name"
     case "$name" in
       test_paths_from_threads | test_distance_matrix | test_parallel_propagation | test_Voronoi_interface \
-        | test_fine_subdivisions | test_parallel_keepers)
+        | test_fine_subdivisions | test_parallel_keepers | test_work_sharing | test_reading_in_blocks \
+        | test_certificate_checks | test_parallel_applications)
         printf '%s\0thread\0-fsanitize=thread\0' "$name" ;;
     esac
   done

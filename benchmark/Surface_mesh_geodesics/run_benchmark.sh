@@ -15,7 +15,7 @@ usage: run_benchmark.sh [options]
   --heat             also measure Heat_method_3: times and errors (needs Eigen)
   --questions        also run the programs for one question each: growth, anisotropy, sources, reach, rules,
                      instruction_sets, schedulers, flat vertices, face queries, isolines, curves, directions,
-                     obstacles, threads, phases, matrix, matrix_store, rows; draw
+                     obstacles, small_component, threads, phases, matrix, matrix_store, rows; draw
                      plots if python3 has matplotlib
   --python           also measure what the Python module adds to the time of C++ (needs the module;
                      the variable PYTHON names the interpreter)
@@ -111,6 +111,7 @@ if [ -z "$programs" ]; then
                                      benchmark_flat_vertices
                                      benchmark_face_queries benchmark_isolines benchmark_curves
                                      benchmark_directions benchmark_obstacles
+                                     benchmark_small_component
                                      benchmark_threads benchmark_phases benchmark_matrix
                                      benchmark_matrix_store benchmark_rows benchmark_uses_of_diagrams)
   [ "$python" = no ] || targets+=(benchmark_python)
@@ -372,8 +373,14 @@ if [ "$questions" = yes ]; then
   ask curves --minimum-faces 5000 --list "$build/list.txt"
   ask directions --subdivide 1 "$meshes/bunny00.off" "$meshes/armadillo.off" "$meshes/refined_elephant.off"
   ask obstacles --subdivide 1 "$meshes/bunny00.off" "$meshes/armadillo.off" "$meshes/refined_elephant.off"
+  ask small_component "$meshes/bunny00.off" "$meshes/refined_elephant.off"
   # These measure wall-clock time: the machine must be idle.
   ask threads --subdivide 2 "$meshes/bunny00.off"
+  more_threads() {
+    "$programs/benchmark_threads" --no-header "$@" | tee -a "$build/threads.csv" >&2
+  }
+  more_threads --repetitions "$questions_repetitions" --subdivide 1 "$meshes/refined_elephant.off"
+  more_threads --repetitions 101 "$meshes/elephant.off" "$meshes/sphere.off"
   ask phases --subdivide 2 "$meshes/bunny00.off"
   "$programs/benchmark_uses_of_diagrams" --repetitions 5 --flags "$flags" "$meshes/bunny00.off" \
     "$meshes/armadillo.off" "$meshes/refined_elephant.off" | tee "$build/uses_of_diagrams.csv" >&2

@@ -1,6 +1,6 @@
 // The parallel propagation runs out of memory, at one allocation after the other, in any of its threads: it throws
 // std::bad_alloc, and the next run of the same object has the same bits as a run of a new one. So do runs that keep
-// windows.
+// windows, and those that make a diagram.
 
 // A program that defines a macro is compiled alone; this one replaces operator new.
 #define SURFACE_MESH_GEODESICS_TEST_IS_COMPILED_ALONE
@@ -12,11 +12,14 @@
 
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Redundant_window_removal.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Diagram_window_keeper.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_complex.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_table.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Parallel_distance_propagation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Edge_window_field.h>
 
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <iostream>
 #include <new>
@@ -211,16 +214,100 @@ void keepers_out_of_memory_leave_no_trace(std::size_t number_of_threads, const i
   CHECK(number_of_failures > 100);
 }
 
+// Makes the diagram of three sites in a complex that may have been used before, and returns the sum of its arcs.
+double make_diagram(internal::Voronoi_complex<double>& complex, std::size_t number_of_threads,
+                    const internal::Intrinsic_mesh<double>& mesh, long limit)
+{
+  using Building = internal::Diagram_propagation<double, true>;
+  internal::Vertex_distance_field<double> field;
+  Building building(complex);
+  building.start(mesh, field);
+  internal::Parallel_distance_propagation<double, internal::All_pruning_rules, Thread_team, Building::Keeper>
+    propagation(mesh, field, 16, Thread_team(number_of_threads), building.keeper());
+  for(const internal::Vertex_id site : {5u, 17u, 300u})
+    propagation.add_source(site, 0.);
+  allocations_left = limit;
+  CHECK(propagation.run([&](std::size_t visits, double)
+  {
+    is_memory_limited = is_memory_limited || (visits == 0 && limit >= 0);
+    return true;
+  }));
+  building.finish();
+  is_memory_limited = false;
+  double sum = 0;
+  for(const auto& arc : complex.arcs())
+    sum = sum / 2 + arc.first.x + arc.first.y + arc.last.x + arc.last.y;
+  return sum;
+}
+
+void diagrams_out_of_memory_leave_no_trace(std::size_t number_of_threads, const internal::Intrinsic_mesh<double>& mesh)
+{
+  test_support::Scope scope("diagrams, " + std::to_string(number_of_threads) + " threads");
+  internal::Voronoi_complex<double> first;
+  const double expected = make_diagram(first, number_of_threads, mesh, -1);
+  std::size_t number_of_failures = 0;
+  for(long limit = 0; limit < 1000; limit += 3)
+  {
+    internal::Voronoi_complex<double> complex;
+    double sum = expected;
+    try
+    {
+      sum = make_diagram(complex, number_of_threads, mesh, limit);
+    }
+    catch(const std::bad_alloc&)
+    {
+      ++number_of_failures;
+      complex.clear();
+      sum = make_diagram(complex, number_of_threads, mesh, -1);
+    }
+    CHECK_EQUAL(sum, expected);
+  }
+  std::cout << number_of_failures << " diagrams out of memory with " << number_of_threads << " threads" << std::endl;
+  CHECK(number_of_failures > 100);
+}
+
+// A table that has no memory to grow keeps its entries, and takes others later.
+void tables_out_of_memory_keep_their_entries()
+{
+  const std::uint32_t n = 1000;
+  for(long limit = 0; limit < 14; ++limit) // two arrays each time that it grows, seven times
+  {
+    internal::Index_table<std::uint32_t> table;
+    allocations_left = limit;
+    is_memory_limited = true;
+    std::size_t number_of_failures = 0;
+    for(std::uint32_t i = 0; i < n; ++i)
+      try
+      {
+        table.insert(i, i + n);
+      }
+      catch(const std::bad_alloc&)
+      {
+        ++number_of_failures;
+        table.insert(i, i + n);
+      }
+    is_memory_limited = false;
+    CHECK_EQUAL(number_of_failures, std::size_t(1));
+    for(std::uint32_t i = 0; i < n; ++i)
+    {
+      const std::uint32_t* const value = table.find(i);
+      CHECK(value != nullptr && *value == i + n);
+    }
+  }
+}
+
 } // namespace
 
 int main()
 {
+  tables_out_of_memory_keep_their_entries();
   const auto mesh = test_meshes::intrinsic_mesh(
     test_meshes::to_face_graph(test_meshes::noisy_sphere(3, .1, test_support::announce_seed(7))));
   for(const std::size_t number_of_threads : std::vector<std::size_t>{1, 2, 5})
   {
     runs_out_of_memory_leave_no_trace(number_of_threads, mesh);
     keepers_out_of_memory_leave_no_trace(number_of_threads, mesh);
+    diagrams_out_of_memory_leave_no_trace(number_of_threads, mesh);
   }
   return test_result();
 }

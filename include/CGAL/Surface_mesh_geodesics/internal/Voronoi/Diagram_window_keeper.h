@@ -38,11 +38,11 @@ namespace internal {
 template <typename Removal>
 using Diagram_window_keeper = Deferred_window_keeper<Removal>;
 
-// The consumer of a removal whose faces several threads divide. In each batch of visits the faces that were handed over
-// during the batch before are divided, and those that were divided during that one join the complex, in the order in
-// which they were handed over. So the complex does not depend on the threads.
+// The consumer of a removal whose faces several threads divide. Batch n divides the faces that batch n-1 has handed over.
+// Those that batch n-1 has divided join the complex, in the order in which they were handed over. So the complex does
+// not depend on the threads.
 //
-// Threads: the units of a batch may be done in several threads at once, each with a number of its own, and beside
+// Threads: the units of a batch may be done in several threads at once, each thread with its own number, and beside
 // add(), which one thread at a time calls. Nothing else runs beside the other functions.
 template <typename FT>
 class Deferred_division
@@ -67,7 +67,7 @@ public:
     m_handed_over.items[m_handed_over.size++].divided = divided;
   }
 
-  // Begins a batch. Returns the number of its units, which have to be done before the next one begins.
+  // Begins a batch. Returns the number of its units. Requires: the units of the batch before are done.
   std::size_t begin_batch()
   {
     CGAL_precondition(m_divided.size == 0);
@@ -77,8 +77,7 @@ public:
     return m_joins + (m_in_work.size + faces_per_unit() - 1) / faces_per_unit();
   }
 
-  // Does a unit: divides some faces, or lets those of the batch before join the complex. That unit comes first, as it
-  // may take longest.
+  // Does a unit: divides some faces, or lets those of the batch before join the complex, which is one unit.
   void do_unit(std::size_t unit, std::size_t thread)
   {
     if(unit < m_joins)
@@ -101,7 +100,7 @@ public:
     }
   }
 
-  // The memory of the faces that wait, in bytes.
+  // The memory of the faces that wait, in bytes, without their breakpoints, which are few.
   std::size_t memory() const
   {
     std::size_t n = 0;
@@ -199,8 +198,8 @@ public:
 
   explicit Diagram_propagation(Complex& complex) : m_complex(complex), m_division(complex) {}
 
-  // Requires: the mesh is refined by the sites, and the propagation has not begun. If sites have numbers, the removal
-  // is told these next.
+  // Requires: the mesh is refined by the sites; the propagation is restarted, or made, after this. If sites have numbers,
+  // the removal is told these next.
   void start(const Intrinsic_mesh<FT>& mesh, const Vertex_distance_field<FT>& field, bool has_numbers_of_sites = false)
   {
     m_complex.start(mesh, has_numbers_of_sites);

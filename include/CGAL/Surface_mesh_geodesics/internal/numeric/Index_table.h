@@ -52,7 +52,8 @@ public:
     return m_keys[i] == key ? &m_values[i] : nullptr;
   }
 
-  // Inserts a value unless the key has one. Returns whether it has inserted the value. Requires: key != null_id.
+  // Inserts a value unless the key has one. Returns whether it has inserted the value. Nothing has changed if it throws.
+  // Requires: key != null_id.
   bool insert(std::uint32_t key, const Value& value)
   {
     if(2 * (m_size + 1) > m_keys.size())
@@ -81,12 +82,14 @@ private:
     return i;
   }
 
-  // Doubles the arrays and inserts all entries anew.
+  // Doubles the arrays and inserts all entries anew. Nothing has changed if it throws: both arrays are allocated first.
   void grow()
   {
     const std::size_t n = (std::max)(std::size_t(16), 2 * m_keys.size());
-    const std::vector<std::uint32_t> keys = std::exchange(m_keys, std::vector<std::uint32_t>(n, null_id));
-    const std::vector<Value> values = std::exchange(m_values, std::vector<Value>(n));
+    std::vector<std::uint32_t> keys(n, null_id);
+    std::vector<Value> values(n);
+    keys.swap(m_keys);
+    values.swap(m_values);
     for(std::size_t j = 0; j < keys.size(); ++j)
       if(keys[j] != null_id)
       {

@@ -25,7 +25,7 @@
 // propagate_diagram(), and Voronoi_handles::collect(). measure_cells() and Path_solver::add_windows() are the other two
 // steps.
 //
-// With Parallel_tag, several threads propagate, and one of them removes windows and divides faces at the same time
+// With Parallel_tag, several threads propagate and divide faces, and one of them removes windows at the same time
 // (Window_relay.h). The thread that computes holds the mutex, so while it waits for the others it must not start a
 // query of the user (Tbb_team::run()).
 

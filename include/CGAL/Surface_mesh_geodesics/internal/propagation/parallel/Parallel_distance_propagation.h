@@ -28,12 +28,13 @@
 // the visits of this part, and most of what these read is in its cache. A thread that has no more to do helps the
 // others.
 //
-// So the batches, and with them every bit of the result, depend neither on the number of threads nor on their speed.
-// What no other thread can help with is a few operations per round: choosing the threshold and asking the visitor.
+// The batches depend on the keys and the numbers of vertices only. So no bit of the result depends on the number of
+// threads or on their speed. What no other thread can help with is little per round: the threshold, the visitor, and
+// the division of a batch into units, which a keeper that needs the order of visits makes a sort.
 // Rounds that are too small to share are done by the calling thread alone.
 //
 // What is shared. The mesh does not change. Distances change in the phase of the parts only, each by the part of its
-// vertex. Each thread allocates windows from its own pool and returns blocks to its own pool, whoever allocated them.
+// vertex. Each thread has windows and messages of its own (Propagation_workers.h).
 //
 // Exactness. Visiting a vertex that is not the nearest creates windows that would have been pruned otherwise. It
 // changes no distance beyond rounding: a window is pruned only if some path is shorter, and all other windows are
@@ -41,11 +42,11 @@
 
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/memory_hints.h>
-#include <CGAL/Surface_mesh_geodesics/internal/propagation/Star_propagation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Stopping_criterion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Vertex_star.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Wavefront.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Batch_threshold.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Propagation_workers.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Vertex_records.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Wavefront_division.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Wavefront_part.h>
@@ -63,16 +64,8 @@
 #include <cstdint>
 #include <exception>
 #include <limits>
-#include <memory>
 #include <utility>
 #include <vector>
-
-// Visual C++ warns of classes that are padded to cache lines. They are, on purpose: several threads change them at the
-// same time, and two on one line would wait for each other.
-#ifdef _MSC_VER
-#pragma warning(push)
-#pragma warning(disable : 4324)
-#endif
 
 namespace CGAL {
 namespace Surface_mesh_geodesics {
@@ -134,14 +127,16 @@ public:
   // surplus memory is freed.
   void restart()
   {
-    make_workers();
-    drop_stars_and_messages();
+    // Workers stay when the team shrinks. Threads that join it later have none before the next restart(), so a run does
+    // not use them.
+    m_workers.make((std::max)(m_team.size(), std::size_t(1)), m_mesh, m_field.distance,
+                   [this]() { return m_keeper.thread_keeper(); });
+    m_workers.drop_stars_and_messages();
     m_division.move_reached(m_wavefront.reached()); // if the last run has not done it
-    m_wavefront.restart(m_workers.front()->stars.pool(), slots_of_workers());
-    for(const std::unique_ptr<Worker>& worker : m_workers)
-      worker->stars.restart();
+    m_wavefront.restart(m_workers[0].stars.pool(), m_workers.slots());
+    m_workers.for_each([](Worker& w) { w.stars.restart(); });
     m_relay.restart(m_workers.size(), keepers());
-    release_surplus();
+    m_workers.release_surplus();
     make_parts();
     m_maximum_distance = Field::infinity();
     m_maximum_windows_alive = 0;
@@ -169,8 +164,7 @@ public:
   template <typename GoOn>
   bool run(GoOn go_on)
   {
-    for(const std::unique_ptr<Worker>& worker : m_workers)
-      worker->stars.set_maximum_distance(m_maximum_distance);
+    m_workers.for_each([this](Worker& w) { w.stars.set_maximum_distance(m_maximum_distance); });
     bool is_complete = false;
     std::exception_ptr failure;
     m_number_of_threads = (std::min)(m_team.size(), m_workers.size());
@@ -180,12 +174,12 @@ public:
       if(i > 0)
       {
         m_sharing.help(i, [&](bool is_part, std::uint32_t unit)
-        { is_part ? update_part(unit) : do_unit(*m_workers[i], unit); });
+        { is_part ? update_part(unit) : do_unit(m_workers[i], unit); });
         return;
       }
       try
       {
-        is_complete = conduct([&]() { return go_on(number_of_visits(), reached_distance()); });
+        is_complete = conduct([&]() { return go_on(m_workers.number_of_visits(), reached_distance()); });
         if(is_complete)
           m_relay.finish(reached_distance(), keepers());
       }
@@ -208,12 +202,7 @@ public:
 
   Propagation_statistics statistics() const
   {
-    Propagation_statistics sum;
-    for(const std::unique_ptr<Worker>& worker : m_workers)
-    {
-      sum.add(worker->stars.statistics());
-      sum.maximum_window_bytes += worker->stars.memory();
-    }
+    Propagation_statistics sum = m_workers.statistics();
     sum.maximum_windows_alive = m_maximum_windows_alive;
     sum.maximum_window_bytes += m_wavefront.memory() + m_relay.memory();
     sum.intrinsic_mesh_bytes = m_wavefront.table_memory() + m_division.table_memory(); // the caller adds the rest
@@ -223,20 +212,8 @@ public:
 private:
   using Messages = Wavefront_messages<FT>;
   using Thread_keeper = typename Keeper::Thread_keeper;
-
-  // What one thread needs for visits.
-  struct alignas(64) Worker
-  {
-    const std::size_t number;
-    Star_propagation<FT, Rules, Thread_keeper> stars;
-    Vertex_star<FT> star; // of the vertex that is visited; a buffer between visits
-    Window_list_slots own_slots;
-    std::vector<Messages> messages; // by part
-
-    Worker(std::size_t i, const Mesh& mesh, const std::vector<FT>& distance, const Thread_keeper& keeper)
-      : number(i), stars(mesh, distance, keeper)
-    {}
-  };
+  using Workers = Propagation_workers<FT, Rules, Thread_keeper>;
+  using Worker = typename Workers::Worker;
 
   // The visits [first, last) of the batch of a part, which one thread does one after the other.
   struct Unit
@@ -284,7 +261,7 @@ private:
         m_division.clear_batches();
       }
     }
-    CGAL_assertion(number_of_windows() == 0);
+    CGAL_assertion(m_workers.number_of_windows() == 0);
     m_end.set_complete();
     return true;
   }
@@ -317,7 +294,7 @@ private:
   // order of their keys.
   std::size_t visit_batch(std::size_t n)
   {
-    const std::size_t visits_before = number_of_visits();
+    const std::size_t visits_before = m_workers.number_of_visits();
     const bool is_worth_it = n >= smallest_shared_batch;
     if(Keeper::is_deferred)
       m_division.sort_batches();
@@ -327,12 +304,12 @@ private:
     m_relay.begin_batch(m_units.size(), keepers());
     for(std::uint32_t& end : m_ends)
       end += static_cast<std::uint32_t>(m_relay.number_of_own_units());
-    share(false, is_worth_it, [this](std::uint32_t i) { do_unit(*m_workers.front(), i); });
+    share(false, n + m_relay.number_of_own_units() >= smallest_shared_batch,
+          [this](std::uint32_t i) { do_unit(m_workers[0], i); });
     m_size_of_last_batch = n;
-    m_maximum_windows_alive = (std::max)(m_maximum_windows_alive, number_of_windows());
-    for(const std::unique_ptr<Worker>& worker : m_workers)
-      m_wavefront.lists().share_surplus(worker->own_slots);
-    return number_of_visits() - visits_before;
+    m_maximum_windows_alive = (std::max)(m_maximum_windows_alive, m_workers.number_of_windows());
+    m_workers.for_each([this](Worker& w) { m_wavefront.lists().share_surplus(w.own_slots); });
+    return m_workers.number_of_visits() - visits_before;
   }
 
   // Divides the batches of all parts, n vertices, into units. Each thread gets those of its parts.
@@ -368,23 +345,6 @@ private:
     m_clock.end_phase();
   }
 
-  // The number of windows that wait. (That of one thread may be negative: it takes what others have put.)
-  std::size_t number_of_windows() const
-  {
-    std::ptrdiff_t n = 0;
-    for(const std::unique_ptr<Worker>& worker : m_workers)
-      n += worker->own_slots.number_of_windows;
-    return static_cast<std::size_t>(n);
-  }
-
-  std::size_t number_of_visits() const
-  {
-    std::size_t n = 0;
-    for(const std::unique_ptr<Worker>& worker : m_workers)
-      n += worker->stars.statistics().vertices_visited;
-    return n;
-  }
-
   // --- any thread ---
 
   // Brings a part up to date, and marks the vertices of its batch. Other threads update other parts at the same time;
@@ -399,7 +359,7 @@ private:
     m_clock.end_unit();
   }
 
-  // Does a unit of phase 2, visits or the unit of the relay, with the worker of the thread that runs.
+  // Does a unit of phase 2, visits or a unit of the relay, with the worker of the thread that runs.
   void do_unit(Worker& worker, std::size_t unit)
   {
     m_relay.do_unit(unit, worker.number, worker.stars.keeper(), reached_distance(),
@@ -482,73 +442,26 @@ private:
 
   // --- preparation ---
 
-  // Makes a worker for each thread of the team. Workers stay when the team shrinks. Threads that join it later have
-  // none before the next restart(), so a run does not use them.
-  void make_workers()
-  {
-    while(m_workers.size() < (std::max)(m_team.size(), std::size_t(1)))
-      m_workers.push_back(
-        std::make_unique<Worker>(m_workers.size(), m_mesh, m_field.distance, m_keeper.thread_keeper()));
-  }
-
-  std::vector<Window_list_slots*> slots_of_workers() const
-  {
-    std::vector<Window_list_slots*> own_slots;
-    for(const std::unique_ptr<Worker>& worker : m_workers)
-      own_slots.push_back(&worker->own_slots);
-    return own_slots;
-  }
-
   // Empties the parts, one for each worker.
   void make_parts()
   {
     const std::size_t n = (std::min)(m_workers.size(), m_division.maximum_number_of_parts);
     m_division.restart(n, m_mesh.number_of_vertices());
     m_messages_of_part.assign(n, {});
-    for(const std::unique_ptr<Worker>& worker : m_workers)
+    m_workers.for_each([&](Worker& w)
     {
-      worker->messages.resize(n);
+      w.messages.resize(n);
       for(std::size_t i = 0; i < n; ++i)
-        m_messages_of_part[i].push_back(&worker->messages[i]);
-    }
+        m_messages_of_part[i].push_back(&w.messages[i]);
+    });
     m_size_of_last_batch = 0;
     m_number_of_shared_batches = 0;
-  }
-
-  // Drops what a run that did not end has left: messages, and windows of stars that an exception has left.
-  void drop_stars_and_messages()
-  {
-    for(const std::unique_ptr<Worker>& worker : m_workers)
-    {
-      for(Star_face<FT>& face : worker->star.faces)
-        for(Window_list<FT>* list : {&face.counterclockwise, &face.clockwise, &face.outward})
-          worker->stars.pool().release(*list);
-      for(Messages& messages : worker->messages)
-        messages.clear();
-    }
-  }
-
-  // Frees the memory of all pools when it exceeds twice that of the first run, plus a constant. Blocks of windows
-  // migrate between pools: some pools gain blocks in each run, and the others would allocate new ones without end.
-  // Requires: no block is in use.
-  void release_surplus()
-  {
-    std::size_t memory = 0;
-    for(const std::unique_ptr<Worker>& worker : m_workers)
-      memory += worker->stars.memory();
-    if(m_memory_of_run == 0)
-      m_memory_of_run = memory;
-    if(memory <= 2 * m_memory_of_run + least_surplus)
-      return;
-    for(const std::unique_ptr<Worker>& worker : m_workers)
-      worker->stars.pool().clear();
-    m_memory_of_run = 0;
   }
 
   // The keeper of each thread.
   auto keepers()
   {
-    return [this](std::size_t thread) -> Thread_keeper& { return m_workers[thread]->stars.keeper(); };
+    return [this](std::size_t thread) -> Thread_keeper& { return m_workers[thread].stars.keeper(); };
   }
 
   auto pusher()
@@ -561,7 +474,6 @@ private:
 
   static constexpr std::size_t smallest_shared_update = 16; // visits that have left messages
   static constexpr std::size_t smallest_shared_batch = 6;   // visits
-  static constexpr std::size_t least_surplus = std::size_t(1) << 18; // bytes
 
   const Mesh& m_mesh;
   Field& m_field;
@@ -569,7 +481,7 @@ private:
   Keeper m_keeper;
   Window_relay<Keeper> m_relay;
   Wavefront<FT> m_wavefront;
-  std::vector<std::unique_ptr<Worker>> m_workers; // the first one is the conductor's
+  Workers m_workers; // the first one is the conductor's
   Wavefront_division<FT> m_division;
   std::vector<std::vector<Messages*>> m_messages_of_part; // those of all workers, by part
   std::uint32_t m_round = 0;
@@ -585,15 +497,10 @@ private:
   Stopping_criterion<FT> m_end;
   FT m_maximum_distance;
   std::size_t m_maximum_windows_alive = 0;
-  std::size_t m_memory_of_run = 0; // bytes of the pools after the first run since they were last cleared; 0: unknown
 };
 
 } // namespace internal
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL
-
-#ifdef _MSC_VER
-#pragma warning(pop)
-#endif
 
 #endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_PARALLEL_PARALLEL_DISTANCE_PROPAGATION_H

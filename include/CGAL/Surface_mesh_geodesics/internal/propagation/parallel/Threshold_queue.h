@@ -72,7 +72,7 @@ public:
 
   std::size_t size() const { return m_entries.size(); }
 
-  // An upper bound of all keys in the queue: the largest one since clear().
+  // An upper bound of all keys in the queue: the largest one that has been pushed since clear().
   const FT& largest_key() const { return m_largest_key; }
 
   // The smallest key, or infinity. Linear in the number of entries.
@@ -94,10 +94,10 @@ public:
     {
       m_entries.push_back({key, v});
       position = static_cast<std::uint32_t>(m_entries.size() - 1);
-      m_largest_key = (std::max)(m_largest_key, key);
     }
     else
       m_entries[position].key = (std::min)(m_entries[position].key, key);
+    m_largest_key = (std::max)(m_largest_key, key); // also of a key that is ignored: the order does not matter then
   }
 
   // Moves all entries with keys up to a limit to the end of a batch. The last entry takes the place of one that leaves.

@@ -13,9 +13,9 @@
 // Passes the windows that several threads propagate to one keeper, which only one thread may call at a time.
 //
 // Each thread logs the windows of its visits. While the next batch is visited, one thread gives the logs to the keeper,
-// in the order of the visits in their batch, and tells it the distance that was reached before that batch. So the
-// keeper sees the same calls for any number of threads, and its work is one more unit beside the visits. It may read
-// what does not change during visits: the mesh and the field of distances.
+// in the order of the visits in their batch, and tells it the distance that is reached now. So the keeper sees the same
+// calls for any number of threads, and taking windows over is one more unit beside the visits. The keeper may read what
+// does not change during visits: the mesh and the field of distances.
 
 #include <cstddef>
 #include <cstdint>
@@ -31,9 +31,12 @@ namespace internal {
 // If the keeper is deferred, its Thread_keeper is a log: position() is the end of the log, swap() and clear() are those
 // of a container. keeper.take_over(log, first, last, reached) takes the lists between two positions; distances up to
 // `reached` are final. It may have units of its own in each batch: keeper.begin_batch() returns their number, at most a
-// thousand, and keeper.do_unit(i, thread) does one of them, in any thread and beside everything else.
+// thousand, and keeper.do_unit(i, thread) does one of them, in any thread and beside everything else. The units of the
+// last batch, which finish() begins, are not done: the owner of such a keeper does what is left, and calls restart()
+// before the next run.
 //
-// Invariant: m_last_spans tells where in m_last_logs the windows of the last batch are, which the keeper has not seen.
+// Invariant, when a batch begins: m_last_spans tells where in m_last_logs the windows of the batch before are, which the
+// keeper has not seen.
 //
 // There are two logs for each thread, which change places in begin_batch(): the thread writes one of them while the
 // keeper reads the other. Threads: the conductor calls all functions but do_unit(), while no unit is being done.
@@ -61,7 +64,7 @@ public:
     }
   }
 
-  // Begins a batch with this number of units of visits. The relay may add a unit of its own. The logs of the last batch
+  // Begins a batch with this number of units of visits. The relay may add units of its own. The logs of the last batch
   // come here; the threads go on with those of the batch before it, emptied. Takes time linear in the numbers of units
   // and of threads.
   template <typename Keepers>

@@ -14,7 +14,7 @@
 // phase, does units itself, and goes on as soon as all are done.
 //
 // Each thread has units of its own: those whose data its cache probably holds. It does them in ascending order. Then it
-// takes over units of other threads, from their last one on. So threads seldom touch the same line of memory before
+// takes over units of other threads, their last one first. So threads seldom touch the same line of memory before
 // the end of a phase, which matters: on some machines it takes half a microsecond until one thread sees what another
 // one has written, half as long as the visit of a vertex.
 //
@@ -83,8 +83,8 @@ private:
 // What the conductor writes before share() is seen by all units, and what the units write is seen by the conductor
 // after it. Why that holds: the conductor publishes a phase by storing a ticket for each thread (release), and a unit
 // is claimed by exchanging its ticket (acquire). A thread counts its units in m_done (release) when it finds no more of
-// them, and the conductor goes on when it has read the full number (acquire). So no phase begins before each claim of
-// the last one is counted.
+// them, and the conductor goes on when it has read the full number (acquire). So no phase begins before all claims of
+// the last one are counted.
 class Work_sharing
 {
 public:

@@ -120,7 +120,7 @@ public:
   void keep(Halfedge_id h, const Window_list<FT>& list) { m_collector->keep(h, list); }
   void advance(const FT& reached) { m_collector->advance(reached); }
 
-  // --- for the parallel propagation: one thread at a time calls these functions ---
+  // --- for the parallel propagation: one thread at a time calls these functions, except do_unit() ---
 
   Thread_keeper thread_keeper() const { return Thread_keeper(m_collector->mesh(), m_collector->field()); }
 
