@@ -38,9 +38,9 @@ namespace internal {
 template <typename Removal>
 using Diagram_window_keeper = Deferred_window_keeper<Removal>;
 
-// The consumer of a removal whose faces several threads divide. Batch n divides the faces that batch n-1 has handed over.
-// Those that batch n-1 has divided join the complex, in the order in which they were handed over. So the complex does
-// not depend on the threads.
+// The consumer of a removal whose faces several threads divide. Batch n divides the faces that batch n-1 has handed
+// over. Those that batch n-1 has divided join the complex, in the order in which they were handed over. So the complex
+// does not depend on the threads.
 //
 // Threads: the units of a batch may be done in several threads at once, each thread with its own number, and beside
 // add(), which one thread at a time calls. Nothing else runs beside the other functions.
@@ -198,8 +198,8 @@ public:
 
   explicit Diagram_propagation(Complex& complex) : m_complex(complex), m_division(complex) {}
 
-  // Requires: the mesh is refined by the sites; the propagation is restarted, or made, after this. If sites have numbers,
-  // the removal is told these next.
+  // Requires: the mesh is refined by the sites; the propagation is restarted, or made, after this. If sites have
+  // numbers, the removal is told these next.
   void start(const Intrinsic_mesh<FT>& mesh, const Vertex_distance_field<FT>& field, bool has_numbers_of_sites = false)
   {
     m_complex.start(mesh, has_numbers_of_sites);

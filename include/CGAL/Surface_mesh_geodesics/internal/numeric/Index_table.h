@@ -52,8 +52,8 @@ public:
     return m_keys[i] == key ? &m_values[i] : nullptr;
   }
 
-  // Inserts a value unless the key has one. Returns whether it has inserted the value. Nothing has changed if it throws.
-  // Requires: key != null_id.
+  // Inserts a value unless the key has one. Returns whether it has inserted the value. Nothing has changed if it
+  // throws. Requires: key != null_id.
   bool insert(std::uint32_t key, const Value& value)
   {
     if(2 * (m_size + 1) > m_keys.size())

@@ -51,8 +51,8 @@ public:
   template <typename GoOn, typename Work>
   bool operator()(std::size_t n, GoOn go_on, const Work& work) const
   {
-    // A thread takes the chunk `next`. Neither variable needs an order with other memory: what work() writes is read after the team
-    // has returned, which orders it.
+    // A thread takes the chunk `next`. Neither variable needs an order with other memory: what work() writes is read
+    // after the team has returned, which orders it.
     std::atomic<std::size_t> next{0};
     std::atomic<bool> is_ended{false};
     std::vector<std::exception_ptr> faults(

@@ -75,6 +75,8 @@ public:
   //
   // While this thread waits, it does not start other work of its arena, which might ask for a mutex that the caller
   // holds.
+  //
+  // If TBB finds no memory for a task, it may wait forever: its task_group counts a task before it allocates it.
   template <typename Work>
   static void run(std::size_t n, Work work)
   {

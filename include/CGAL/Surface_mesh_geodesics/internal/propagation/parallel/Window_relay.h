@@ -35,8 +35,8 @@ namespace internal {
 // last batch, which finish() begins, are not done: the owner of such a keeper does what is left, and calls restart()
 // before the next run.
 //
-// Invariant, when a batch begins: m_last_spans tells where in m_last_logs the windows of the batch before are, which the
-// keeper has not seen.
+// Invariant, when a batch begins: m_last_spans tells where in m_last_logs the windows of the batch before are, which
+// the keeper has not seen.
 //
 // There are two logs for each thread, which change places in begin_batch(): the thread writes one of them while the
 // keeper reads the other. Threads: the conductor calls all functions but do_unit(), while no unit is being done.
