@@ -338,6 +338,8 @@ def figures(results):
     for n in (1, 2):
         for subdivisions, speedup in enumerate(values("threads", "speedup", mesh="bunny00.off", threads=n)):
             found[f"speedup_{n}_{subdivisions}"] = f"{speedup:.2f}"
+    add_range("separate_speedup", values("threads", "speedup", mesh="bunny00.off", threads="2 separate runs"),
+              "{:.1f}".format)
     for n in (8, 16):
         found[f"speedup_{n}_measured"] = f"{values('threads_on_16_cores', 'speedup', subdivisions=2, threads=n)[0]:.1f}"
         found[f"speedup_{n}_predicted"] = f"{values('phases', f'predicted_{n}', subdivisions=2)[0]:.1f}"

@@ -380,7 +380,7 @@ if [ "$questions" = yes ]; then
     "$programs/benchmark_threads" --no-header "$@" | tee -a "$build/threads.csv" >&2
   }
   more_threads --repetitions "$questions_repetitions" --subdivide 1 "$meshes/refined_elephant.off"
-  more_threads --repetitions 101 "$meshes/elephant.off" "$meshes/sphere.off"
+  more_threads --repetitions 101 --subdivide 0 "$meshes/elephant.off" "$meshes/sphere.off"
   ask phases --subdivide 2 "$meshes/bunny00.off"
   "$programs/benchmark_uses_of_diagrams" --repetitions 5 --flags "$flags" "$meshes/bunny00.off" \
     "$meshes/armadillo.off" "$meshes/refined_elephant.off" | tee "$build/uses_of_diagrams.csv" >&2
