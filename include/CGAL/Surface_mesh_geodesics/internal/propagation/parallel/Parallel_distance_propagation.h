@@ -133,7 +133,7 @@ public:
                    [this]() { return m_keeper.thread_keeper(); });
     m_workers.drop_stars_and_messages();
     m_division.move_reached(m_wavefront.reached()); // if the last run has not done it
-    m_wavefront.restart(m_workers[0].stars.pool(), m_workers.slots());
+    m_wavefront.restart(m_workers[0].stars.pool(), m_workers.own_slots());
     m_workers.for_each([](Worker& w) { w.stars.restart(); });
     m_relay.restart(m_workers.size(), keepers());
     m_workers.release_surplus();

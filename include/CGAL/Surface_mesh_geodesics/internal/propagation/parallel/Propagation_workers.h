@@ -81,7 +81,7 @@ public:
       function(*worker);
   }
 
-  std::vector<Window_list_slots*> slots() const
+  std::vector<Window_list_slots*> own_slots() const
   {
     std::vector<Window_list_slots*> result;
     for_each([&](Worker& w) { result.push_back(&w.own_slots); });
