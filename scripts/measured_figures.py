@@ -363,6 +363,8 @@ def figures(results):
     shares = values("Voronoi_diagram", "arcs_over_removal", sites=30)
     for name, share in zip(("bunny", "armadillo", "fine_bunny"), shares):
         found[f"arcs_percent_{name}"] = f"{100 * share:.0f}"
+    add_range("removal_ratio", [float(row["removal_ms"]) / float(row["distances_ms"])
+                                for row in rows("Voronoi_diagram", naive_ms="")], "{:.1f}".format)
     found["naive_over_diagram"] = f"{values('Voronoi_diagram', 'naive_over_diagram', mesh='armadillo.off')[0]:.0f}"
     for quantity in ("ratio_first", "mean_error_percent", "largest_error_percent"):
         add_range(f"heat_{quantity}", values("heat_method", quantity))
