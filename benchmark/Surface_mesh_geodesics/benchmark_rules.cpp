@@ -38,38 +38,59 @@ struct Vertex_rule_only : No_rules
   static constexpr bool vertex_rule = true;
 };
 
-// Prints a row. The distances with the first set of rules are those expected.
-template <class Rules>
-void print_row(const Settings& settings, const std::string& file, Benchmark_mesh& mesh, const std::string& name,
-               std::vector<double>& expected)
+Benchmark_mesh::Property_map<Benchmark_vertex, double> distance_map(Benchmark_mesh& mesh)
 {
-  auto map = mesh.add_property_map<Benchmark_vertex, double>("v:distance", 0).first;
+  return mesh.add_property_map<Benchmark_vertex, double>("v:distance", 0).first; // the same one each time
+}
+
+// A set of rules: the times of its runs, and the counts and distances of the last one.
+struct Row
+{
+  std::string name;
+  void (*run)(Benchmark_mesh&, Geodesics::Propagation_statistics&);
+  std::vector<double> times, distances;
   Geodesics::Propagation_statistics statistics;
-  const Spread run = repeated(settings, settings.clock_id(), [&]() {
-    statistics = Geodesics::Propagation_statistics();
-    Geodesics::internal::Distance_options<Benchmark_mesh> options;
-    options.statistics = &statistics;
-    const auto np = CGAL::parameters::default_values();
-    Geodesics::Geodesic_default_visitor visitor;
-    Geodesics::internal::compute_geodesic_distances<CGAL::Sequential_tag, Rules, double>(
-      mesh, map, *mesh.vertices().begin(), options, Geodesics::internal::shape_from_points<double>(mesh, np), visitor,
-      np);
-  });
-  std::vector<double> distances;
-  for(const Benchmark_vertex v : mesh.vertices())
+};
+
+template <class Rules>
+void run_with(Benchmark_mesh& mesh, Geodesics::Propagation_statistics& statistics)
+{
+  Geodesics::internal::Distance_options<Benchmark_mesh> options;
+  options.statistics = &statistics;
+  const auto np = CGAL::parameters::default_values();
+  Geodesics::Geodesic_default_visitor visitor;
+  Geodesics::internal::compute_geodesic_distances<CGAL::Sequential_tag, Rules, double>(
+    mesh, distance_map(mesh), *mesh.vertices().begin(), options, Geodesics::internal::shape_from_points<double>(mesh, np),
+    visitor, np);
+}
+
+// Runs all sets in turn, so that a change of the machine's speed does not favor one of them.
+void run_in_turn(const Settings& settings, Benchmark_mesh& mesh, std::vector<Row>& rows)
+{
+  for(std::size_t i = 0; i < settings.repetitions; ++i)
   {
-    distances.push_back(get(map, v));
+    for(Row& row : rows)
+    {
+      row.statistics = Geodesics::Propagation_statistics();
+      row.times.push_back(milliseconds_of(settings.clock_id(), [&]() { row.run(mesh, row.statistics); }));
+      row.distances.clear();
+      for(const Benchmark_vertex v : mesh.vertices())
+      {
+        row.distances.push_back(distance_map(mesh)[v]);
+      }
+    }
   }
-  if(expected.empty())
-  {
-    expected = distances;
-  }
-  const double windows = static_cast<double>(statistics.windows_propagated);
-  std::cout << file_name(file) << ',' << mesh.number_of_faces() << ',' << name << ',' << run << ','
-            << statistics.windows_propagated << ',' << statistics.windows_created << ','
+}
+
+void print_row(const std::string& file, const Benchmark_mesh& mesh, const Row& row, const std::vector<double>& expected)
+{
+  const Spread run(row.times);
+  const double windows = static_cast<double>(row.statistics.windows_propagated);
+  std::cout << file_name(file) << ',' << mesh.number_of_faces() << ',' << row.name << ',' << run << ','
+            << row.statistics.windows_propagated << ',' << row.statistics.windows_created << ','
             << cell(windows / static_cast<double>(mesh.number_of_faces()), 2) << ','
-            << statistics.maximum_windows_alive << ',' << cell(1e6 * run.middle / windows, 2) << ','
-            << largest_relative_difference(distances, expected) << std::endl;
+            << row.statistics.maximum_windows_alive << ',' << cell(1e6 * run.middle / windows, 2) << ','
+            << largest_relative_difference(row.distances, expected) << std::endl;
 }
 
 int main(int argc, char* argv[])
@@ -79,7 +100,7 @@ int main(int argc, char* argv[])
   {
     return usage(argv[0], " mesh...   (--subdivide K: midpoint subdivisions first)");
   }
-  print_head(settings, "rules left out, processor times with reading the mesh",
+  print_head(settings, "rules left out, processor times with reading the mesh, in turn",
              "mesh,faces,rules," + spread_columns("run_ms")
                + ",windows_propagated,windows_created,windows_per_face,windows_alive,ns_per_window,"
                  "largest_relative_difference");
@@ -90,13 +111,17 @@ int main(int argc, char* argv[])
     {
       return EXIT_FAILURE;
     }
-    std::vector<double> expected;
-    print_row<All_rules>(settings, file, mesh, "all", expected);
-    print_row<Without_vertex_rule>(settings, file, mesh, "without vertices", expected);
-    print_row<Without_pair_rules>(settings, file, mesh, "without rules 2 and 3", expected);
-    print_row<Without_rule_1>(settings, file, mesh, "without rule 1", expected);
-    print_row<Rule_1_only>(settings, file, mesh, "rule 1 only", expected);
-    print_row<Vertex_rule_only>(settings, file, mesh, "vertices only", expected);
+    std::vector<Row> rows{{"all", run_with<All_rules>, {}, {}, {}},
+                          {"without vertices", run_with<Without_vertex_rule>, {}, {}, {}},
+                          {"without rules 2 and 3", run_with<Without_pair_rules>, {}, {}, {}},
+                          {"without rule 1", run_with<Without_rule_1>, {}, {}, {}},
+                          {"rule 1 only", run_with<Rule_1_only>, {}, {}, {}},
+                          {"vertices only", run_with<Vertex_rule_only>, {}, {}, {}}};
+    run_in_turn(settings, mesh, rows);
+    for(const Row& row : rows)
+    {
+      print_row(file, mesh, row, rows.front().distances);
+    }
   }
   return EXIT_SUCCESS;
 }
