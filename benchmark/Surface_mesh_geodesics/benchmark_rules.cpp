@@ -60,8 +60,8 @@ void run_with(Benchmark_mesh& mesh, Geodesics::Propagation_statistics& statistic
   const auto np = CGAL::parameters::default_values();
   Geodesics::Geodesic_default_visitor visitor;
   Geodesics::internal::compute_geodesic_distances<CGAL::Sequential_tag, Rules, double>(
-    mesh, distance_map(mesh), *mesh.vertices().begin(), options, Geodesics::internal::shape_from_points<double>(mesh, np),
-    visitor, np);
+    mesh, distance_map(mesh), *mesh.vertices().begin(), options,
+    Geodesics::internal::shape_from_points<double>(mesh, np), visitor, np);
 }
 
 // Runs all sets in turn, so that a change of the machine's speed does not favor one of them.
