@@ -37,11 +37,7 @@ int main(int argc, char* argv[])
   const Benchmark_vertex source(0);
   const Spread ms = repeated(settings, CLOCK_PROCESS_CPUTIME_ID,
                              [&] { CGAL::Surface_mesh_geodesics::geodesic_distances(mesh, distance, source); });
-  std::vector<double> distances;
-  for(const Benchmark_vertex v : mesh.vertices())
-  {
-    distances.push_back(distance[v]);
-  }
-  std::cout << mesh.number_of_faces() << ' ' << cell(ms.middle, 3) << ' ' << hash_of_bits(distances) << std::endl;
+  std::cout << mesh.number_of_faces() << ' ' << cell(ms.middle, 3) << ' ' << hash_of_bits(values_of(distance, mesh))
+            << std::endl;
   return EXIT_SUCCESS;
 }

@@ -38,46 +38,38 @@ struct Vertex_rule_only : No_rules
   static constexpr bool vertex_rule = true;
 };
 
-Benchmark_mesh::Property_map<Benchmark_vertex, double> distance_map(Benchmark_mesh& mesh)
-{
-  return mesh.add_property_map<Benchmark_vertex, double>("v:distance", 0).first; // the same one each time
-}
-
 // A set of rules: the times of its runs, and the counts and distances of the last one.
 struct Row
 {
   std::string name;
-  void (*run)(Benchmark_mesh&, Geodesics::Propagation_statistics&);
+  void (*run)(const Benchmark_mesh&, Benchmark_distance_map, Geodesics::Propagation_statistics&);
   std::vector<double> times, distances;
   Geodesics::Propagation_statistics statistics;
 };
 
 template <class Rules>
-void run_with(Benchmark_mesh& mesh, Geodesics::Propagation_statistics& statistics)
+void run_with(const Benchmark_mesh& mesh, Benchmark_distance_map map, Geodesics::Propagation_statistics& statistics)
 {
   Geodesics::internal::Distance_options<Benchmark_mesh> options;
   options.statistics = &statistics;
   const auto np = CGAL::parameters::default_values();
   Geodesics::Geodesic_default_visitor visitor;
   Geodesics::internal::compute_geodesic_distances<CGAL::Sequential_tag, Rules, double>(
-    mesh, distance_map(mesh), *mesh.vertices().begin(), options,
-    Geodesics::internal::shape_from_points<double>(mesh, np), visitor, np);
+    mesh, map, *mesh.vertices().begin(), options, Geodesics::internal::shape_from_points<double>(mesh, np), visitor,
+    np);
 }
 
 // Runs all sets in turn, so that a change of the machine's speed does not favor one of them.
 void run_in_turn(const Settings& settings, Benchmark_mesh& mesh, std::vector<Row>& rows)
 {
+  const Benchmark_distance_map map = mesh.add_property_map<Benchmark_vertex, double>("v:distance", 0).first;
   for(std::size_t i = 0; i < settings.repetitions; ++i)
   {
     for(Row& row : rows)
     {
       row.statistics = Geodesics::Propagation_statistics();
-      row.times.push_back(milliseconds_of(settings.clock_id(), [&]() { row.run(mesh, row.statistics); }));
-      row.distances.clear();
-      for(const Benchmark_vertex v : mesh.vertices())
-      {
-        row.distances.push_back(distance_map(mesh)[v]);
-      }
+      row.times.push_back(milliseconds_of(settings.clock_id(), [&]() { row.run(mesh, map, row.statistics); }));
+      row.distances = values_of(map, mesh);
     }
   }
 }

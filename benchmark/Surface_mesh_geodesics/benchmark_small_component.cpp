@@ -10,14 +10,11 @@
 #include <CGAL/Surface_mesh_shortest_path.h>
 #include <CGAL/boost/graph/generators.h>
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace {
 
 namespace Geodesics = CGAL::Surface_mesh_geodesics;
-using Distances = Benchmark_mesh::Property_map<Benchmark_vertex, double>;
 
 Benchmark_mesh small_component()
 {
@@ -27,7 +24,7 @@ Benchmark_mesh small_component()
 }
 
 // Writes the distances by the original: infinity where there is no path.
-void original_distances(const Benchmark_mesh& mesh, Benchmark_vertex source, Distances distances)
+void original_distances(const Benchmark_mesh& mesh, Benchmark_vertex source, Benchmark_distance_map distances)
 {
   using Traits = CGAL::Surface_mesh_shortest_path_traits<Benchmark_kernel, Benchmark_mesh>;
   CGAL::Surface_mesh_shortest_path<Traits> paths(mesh);
@@ -39,11 +36,6 @@ void original_distances(const Benchmark_mesh& mesh, Benchmark_vertex source, Dis
   }
 }
 
-bool agree(double a, double b)
-{
-  return a == b || std::abs(a - b) <= 1e-12 * a;
-}
-
 // Returns false if the methods disagree.
 bool print_row(const Settings& settings, const std::string& file, Benchmark_mesh& mesh)
 {
@@ -53,9 +45,9 @@ bool print_row(const Settings& settings, const std::string& file, Benchmark_mesh
   const Benchmark_vertex on_small(static_cast<Benchmark_mesh::size_type>(mesh.number_of_vertices()));
   mesh += small;
   Benchmark_mesh alone = small;
-  const Distances distance = mesh.add_property_map<Benchmark_vertex, double>("v:distance").first;
-  const Distances by_original = mesh.add_property_map<Benchmark_vertex, double>("v:by_original").first;
-  const Distances distance_alone = alone.add_property_map<Benchmark_vertex, double>("v:distance").first;
+  const Benchmark_distance_map distance = mesh.add_property_map<Benchmark_vertex, double>("v:distance").first;
+  const Benchmark_distance_map by_original = mesh.add_property_map<Benchmark_vertex, double>("v:by_original").first;
+  const Benchmark_distance_map distance_alone = alone.add_property_map<Benchmark_vertex, double>("v:distance").first;
   const auto spread = [&](const auto& function) { return repeated(settings, settings.clock_id(), function); };
   const Spread large_ms = spread([&]() { Geodesics::geodesic_distances(mesh, distance, on_large); });
   const Spread alone_ms
@@ -65,8 +57,7 @@ bool print_row(const Settings& settings, const std::string& file, Benchmark_mesh
   std::cout << file_name(file) << ',' << faces_of_rest << ',' << small.number_of_faces() << ',' << large_ms << ','
             << small_ms << ',' << alone_ms << ',' << original_ms << ','
             << cell(original_ms.middle / small_ms.middle, 2) << std::endl;
-  return std::all_of(mesh.vertices().begin(), mesh.vertices().end(),
-                     [&](Benchmark_vertex v) { return agree(distance[v], by_original[v]); });
+  return largest_relative_difference(values_of(distance, mesh), values_of(by_original, mesh)) <= 1e-12;
 }
 
 } // namespace

@@ -69,19 +69,26 @@ namespace internal = CGAL::Surface_mesh_geodesics::internal;
 using Propagation =
   internal::Parallel_distance_propagation<double, internal::All_pruning_rules, Thread_team>;
 
-// Runs from a source. The allocations are counted from the first batch on, when all threads have started.
+// Runs. The allocations are counted from the first batch on, when all threads have started.
 template <class Any_propagation>
-void run(Any_propagation& propagation, internal::Vertex_id source, double maximum_distance, long limit)
+void run_with_limit(Any_propagation& propagation, long limit)
 {
-  propagation.restart();
-  propagation.add_source(source, 0.);
-  propagation.set_maximum_distance(maximum_distance);
   allocations_left = limit;
   CHECK(propagation.run([&](std::size_t visits, double)
   {
     is_memory_limited = is_memory_limited || (visits == 0 && limit >= 0);
     return true;
   }));
+}
+
+// Runs from a source.
+template <class Any_propagation>
+void run(Any_propagation& propagation, internal::Vertex_id source, double maximum_distance, long limit)
+{
+  propagation.restart();
+  propagation.add_source(source, 0.);
+  propagation.set_maximum_distance(maximum_distance);
+  run_with_limit(propagation, limit);
 }
 
 void runs_out_of_memory_leave_no_trace(std::size_t number_of_threads, const internal::Intrinsic_mesh<double>& mesh)
@@ -166,12 +173,7 @@ double run_with_windows_of_faces(std::size_t number_of_threads, const internal::
     mesh, field, 16, Thread_team(number_of_threads), Keeper(removal));
   propagation.add_source(17, 0.);
   propagation.add_source(5, 0.);
-  allocations_left = limit;
-  CHECK(propagation.run([&](std::size_t visits, double)
-  {
-    is_memory_limited = is_memory_limited || (visits == 0 && limit >= 0);
-    return true;
-  }));
+  run_with_limit(propagation, limit);
   removal.finish();
   is_memory_limited = false;
   return consumer.sum;
@@ -226,12 +228,7 @@ double make_diagram(internal::Voronoi_complex<double>& complex, std::size_t numb
     propagation(mesh, field, 16, Thread_team(number_of_threads), building.keeper());
   for(const internal::Vertex_id site : {5u, 17u, 300u})
     propagation.add_source(site, 0.);
-  allocations_left = limit;
-  CHECK(propagation.run([&](std::size_t visits, double)
-  {
-    is_memory_limited = is_memory_limited || (visits == 0 && limit >= 0);
-    return true;
-  }));
+  run_with_limit(propagation, limit);
   building.finish();
   is_memory_limited = false;
   double sum = 0;

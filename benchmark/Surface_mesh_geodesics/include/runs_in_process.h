@@ -97,6 +97,19 @@ int print_rows_by_level(const Settings& settings, Print_row print_row)
   return EXIT_SUCCESS;
 }
 
+using Benchmark_distance_map = Benchmark_mesh::Property_map<Benchmark_vertex, double>;
+
+// Returns the distances in a map, in the order of the vertices.
+inline std::vector<double> values_of(const Benchmark_distance_map& map, const Benchmark_mesh& mesh)
+{
+  std::vector<double> result;
+  for(const Benchmark_vertex v : mesh.vertices())
+  {
+    result.push_back(map[v]);
+  }
+  return result;
+}
+
 // Returns random vertices, the same ones in every run.
 inline std::vector<Benchmark_vertex> random_vertices(const Benchmark_mesh& mesh, std::size_t n)
 {
