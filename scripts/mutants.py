@@ -82,6 +82,8 @@ UNFOLDING = INTERNAL + "surface/unfolding.h"
 INTRINSIC_FACE = INTERNAL + "surface/Intrinsic_face.h"
 FACE_SHAPE = INTERNAL + "surface/face_shape.h"
 EDGE_PARTITION = INTERNAL + "Voronoi/edges/Edge_partition.h"
+EDGE_DIVISION = INTERNAL + "Voronoi/edges/Edge_division.h"
+WORK_IN_BATCHES = INTERNAL + "window/passing/Work_in_batches.h"
 DIAGRAM_KEEPER = INTERNAL + "Voronoi/Diagram_window_keeper.h"
 SEPARATION = INTERNAL + "applications/Location_separation.h"
 DISTANCE_CERTIFICATE = INTERNAL + "interface/Distance_certifier.h"
@@ -762,15 +764,22 @@ MUTANTS = [
     ("image_above_one_end_of_a_chord", EDGE_PARTITION,
      "(g.weight + n - rise) * margin > chord(first) && ", "(g.weight + n - rise) * margin > chord(first) || ",
      "an image that is farther at one end of a part of an edge never takes over in it", (BY_HAND, PLANAR)),
-    ("last_divided_faces_lost", DIAGRAM_KEEPER,
+    ("last_waiting_work_lost", WORK_IN_BATCHES,
      "for(int i = 0; i < 2; ++i) // those in work", "for(int i = 0; i < 1; ++i) // those in work",
-     "the faces that are handed over last do not join the complex", (PARALLEL_KEEPERS,)),
+     "the edges and faces that were found last are not divided", (PARALLEL_KEEPERS,)),
+    ("finished_work_not_taken_back", WORK_IN_BATCHES,
+     "    take_back(take);\n    for(int i = 0; i < 2; ++i)", "    m_done.size = 0;\n    for(int i = 0; i < 2; ++i)",
+     "what was divided in the last batch is dropped", (PARALLEL_KEEPERS,)),
+    ("last_unit_of_work_too_short", WORK_IN_BATCHES,
+     "return (m_in_work.size + items_per_unit() - 1) / items_per_unit();",
+     "return m_in_work.size / items_per_unit();",
+     "some edges and faces are not divided", (PARALLEL_KEEPERS,)),
     ("divided_faces_do_not_join", DIAGRAM_KEEPER,
-     "      return add_divided();", "      return void(m_divided.size = 0);",
+     "      m_faces.take_back(joining());", "      m_faces.take_back([](const Waiting_face&) {});",
      "faces that have been divided are dropped", (PARALLEL_KEEPERS,)),
-    ("divided_faces_join_after_the_last", DIAGRAM_KEEPER,
-     "    add_divided();\n    for(int i = 0; i < 2; ++i)", "    for(int i = 0; i < 2; ++i)",
-     "the faces that were divided in the last batch do not join the complex", (PARALLEL_KEEPERS,)),
+    ("windows_of_other_side_not_mirrored", EDGE_DIVISION,
+     "FT(m_length - w.end), FT(m_length - w.begin), FT(m_length - w.image_x),", "w.begin, w.end, w.image_x,",
+     "windows that cross an edge from the other side divide it as if they crossed it from this side", (BY_HAND, CUT)),
     ("edge_divided_at_first_root_only", EDGE_PARTITION,
      "result{root[0], root[1], last, last, last};", "result{root[0], last, last, last, last};",
      "an image that is nearer between two roots is missed", (FACE_LAWS,)),

@@ -12,7 +12,9 @@
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Parallel_distance_propagation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Edge_window_field.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/passing/Work_in_batches.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -315,6 +317,24 @@ std::vector<double> numbers_of(const Complex& complex)
   return numbers;
 }
 
+// The same arcs and nodes in an order that does not depend on that of the faces.
+std::vector<std::vector<double>> sorted_numbers_of(const Complex& complex)
+{
+  std::vector<std::vector<double>> numbers;
+  for(const auto& a : complex.arcs())
+  {
+    numbers.push_back({static_cast<double>(a.face), a.first.x, a.first.y, a.last.x, a.last.y, a.left.weight,
+                       a.right.weight, static_cast<double>(a.left_site), static_cast<double>(a.right_site)});
+  }
+  for(const auto& n : complex.nodes())
+  {
+    numbers.push_back({n.abscissa}); // the distance may have been measured in another face
+  }
+  numbers.push_back({static_cast<double>(complex.chains().size()), static_cast<double>(complex.number_of_joints())});
+  std::sort(numbers.begin(), numbers.end());
+  return numbers;
+}
+
 // A consumer that remembers the faces, and divides them when all are there.
 struct Face_list
 {
@@ -323,10 +343,9 @@ struct Face_list
   void add(const internal::Divided_face<double>& face) { faces.push_back(face); }
 };
 
-// The complex has the faces in the order in which the removal has handed them over, whoever has divided them.
-void threads_do_not_change_the_complex(const Intrinsic_mesh& mesh, const Sources& sources)
+// The complex whose edges and faces one thread divides as soon as they are closed.
+void divide_in_one_thread(const Intrinsic_mesh& mesh, const Sources& sources, Complex& complex)
 {
-  test_support::Scope scope("complex");
   using List_removal = internal::Redundant_window_removal<double, Face_list>;
   using List_keeper = internal::Diagram_window_keeper<List_removal>;
   Field field;
@@ -337,14 +356,23 @@ void threads_do_not_change_the_complex(const Intrinsic_mesh& mesh, const Sources
   Parallel<List_keeper> propagation(mesh, field, 16, Thread_team(1), List_keeper(removal));
   run(propagation, sources);
   removal.finish();
-  Complex expected;
-  expected.start(mesh);
+  complex.start(mesh);
   for(const auto& face : list.faces)
   {
-    expected.add(face);
+    complex.add(face);
   }
-  expected.finish(removal.owners());
+  complex.finish(removal.owners());
+  CHECK(list.faces.empty() || !complex.arcs().empty());
+}
 
+// Edges and faces wait for the threads to divide them. That changes the order of the faces only, and no number of
+// threads changes anything.
+void threads_do_not_change_the_complex(const Intrinsic_mesh& mesh, const Sources& sources)
+{
+  test_support::Scope scope("complex");
+  Complex expected;
+  divide_in_one_thread(mesh, sources, expected);
+  std::vector<double> first;
   using Diagram = internal::Diagram_propagation<double, true>;
   for(const std::size_t number : numbers_of_threads)
   {
@@ -358,11 +386,65 @@ void threads_do_not_change_the_complex(const Intrinsic_mesh& mesh, const Sources
     Parallel<std::decay_t<decltype(keeper)>> run_of_diagram(mesh, found_field, std::size_t(16), Thread_team(number),
                                                             keeper);
     run(run_of_diagram, sources);
+    CHECK(keeper.memory() > 0 || expected.arcs().empty() || mesh.number_of_faces() < 10);
     diagram.finish();
-    CHECK(numbers_of(found) == numbers_of(expected));
-    CHECK(list.faces.empty() || !found.arcs().empty());
-    CHECK_EQUAL(keeper.memory() > 0, !list.faces.empty());
+    CHECK(sorted_numbers_of(found) == sorted_numbers_of(expected));
+    first = first.empty() ? numbers_of(found) : first;
+    CHECK(numbers_of(found) == first);
   }
+}
+
+// --- work that waits ---
+
+// Items are done in the batch after the one that has added them, and come back in the next one, in their order.
+void work_passes_through_three_batches()
+{
+  test_support::Scope scope("work in batches");
+  internal::Work_in_batches<int> work;
+  std::vector<int> back;
+  const auto add = [&](int first, int last)
+  {
+    for(int i = first; i < last; ++i)
+    {
+      work.add() = i;
+    }
+  };
+  const auto negate = [](int& i) { i = -i; };
+  const auto take = [&](int i) { back.push_back(i); };
+  const auto do_all = [&](std::size_t number_of_units)
+  {
+    CHECK(number_of_units <= work.maximum_number_of_units);
+    for(std::size_t unit = number_of_units; unit-- > 0;)
+    {
+      work.do_unit(unit, negate);
+    }
+  };
+  CHECK_EQUAL(work.begin_batch(), std::size_t(0));
+  add(1, 2003); // more than units, and no multiple of their size
+  const std::size_t number_of_units = work.begin_batch();
+  CHECK(number_of_units > 1 && 2002 % (number_of_units - 1) != 0 && !work.has_done());
+  add(2003, 2006);
+  do_all(number_of_units);
+  do_all(work.begin_batch());
+  CHECK(work.has_done());
+  work.take_back(take);
+  CHECK(back.size() == 2002 && back.front() == -1 && back.back() == -2002 && !work.has_done());
+  add(2006, 2008);
+  work.begin_batch(); // nobody does its units
+  add(2008, 2010);
+  work.finish(negate, take);
+  CHECK_EQUAL(back.size(), std::size_t(2009));
+  for(std::size_t i = 0; i < back.size(); ++i)
+  {
+    CHECK_EQUAL(back[i], -static_cast<int>(i) - 1);
+  }
+  add(1, 10);
+  work.begin_batch();
+  add(1, 10);
+  work.clear();
+  back.clear();
+  work.finish(negate, take);
+  CHECK(back.empty());
 }
 
 // --- runs that end early ---
@@ -425,6 +507,7 @@ int main()
 {
   const std::uint64_t seed = test_support::announce_seed(20260611);
   test_support::Random random(seed);
+  work_passes_through_three_batches();
   copies_of_keepers_share_no_memory();
   for(const Indexed_mesh& indexed :
       {noisy_sphere(3, .1, seed), rough_terrain(16, 2., seed), wavy_tube(20, 24),

@@ -11,8 +11,8 @@
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_DIAGRAM_WINDOW_KEEPER_H
 
 // What a propagation calls a keeper, for a diagram: it passes lists of windows and the distance reached on to the
-// removal of redundant windows (Deferred_window_keeper.h). If several threads propagate, the faces that the removal
-// hands over wait for the next batch of visits, in which all threads divide them (Deferred_division).
+// removal of redundant windows (Deferred_window_keeper.h). If several threads propagate, the edges and faces that the
+// removal has found wait for the next batch of visits, in which all threads divide them (Work_in_batches.h).
 
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Divided_face.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Face_partition.h>
@@ -21,8 +21,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/passing/Deferred_window_keeper.h>
-
-#include <CGAL/assertions.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/passing/Work_in_batches.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -38,9 +37,8 @@ namespace internal {
 template <typename Removal>
 using Diagram_window_keeper = Deferred_window_keeper<Removal>;
 
-// The consumer of a removal whose faces several threads divide. Batch n divides the faces that batch n-1 has handed
-// over. Those that batch n-1 has divided join the complex, in the order in which they were handed over. So the complex
-// does not depend on the threads.
+// The consumer of a removal whose faces several threads divide (Work_in_batches.h). They join the complex in the order
+// in which they were handed over, so the complex does not depend on the threads.
 //
 // Threads: the units of a batch may be done in several threads at once, each thread with its own number, and beside
 // add(), which one thread at a time calls. Nothing else runs beside the other functions.
@@ -54,36 +52,28 @@ public:
   // Forgets all faces, for a run with this number of threads.
   void restart(std::size_t number_of_threads)
   {
-    for(Faces* faces : {&m_handed_over, &m_in_work, &m_divided})
-      faces->size = 0;
+    m_faces.clear();
     m_partition.resize(number_of_threads);
   }
 
   // Takes a face over from the removal. It is copied.
-  void add(const Divided_face<FT>& divided)
-  {
-    if(m_handed_over.size == m_handed_over.items.size())
-      m_handed_over.items.emplace_back();
-    m_handed_over.items[m_handed_over.size++].divided = divided;
-  }
+  void add(const Divided_face<FT>& divided) { m_faces.add().divided = divided; }
 
   // Begins a batch. Returns the number of its units. Requires: the units of the batch before are done.
   std::size_t begin_batch()
   {
-    CGAL_precondition(m_divided.size == 0);
-    std::swap(m_divided, m_in_work);
-    std::swap(m_in_work, m_handed_over);
-    m_joins = m_divided.size == 0 ? 0 : 1;
-    return m_joins + (m_in_work.size + faces_per_unit() - 1) / faces_per_unit();
+    const std::size_t n = m_faces.begin_batch();
+    m_joins = m_faces.has_done() ? 1 : 0;
+    return m_joins + n;
   }
 
-  // Does a unit: divides some faces, or lets those of the batch before join the complex, which is one unit.
+  // Does a unit: lets the faces that were divided in the batch before join the complex, or divides some faces.
   void do_unit(std::size_t unit, std::size_t thread)
   {
     if(unit < m_joins)
-      return add_divided();
-    const std::size_t first = (unit - m_joins) * faces_per_unit();
-    divide(m_in_work, first, (std::min)(first + faces_per_unit(), m_in_work.size), m_partition[thread]);
+      m_faces.take_back(joining());
+    else
+      m_faces.do_unit(unit - m_joins, dividing_by(m_partition[thread]));
   }
 
   // Divides all faces that wait, in this thread, and lets them join the complex. Requires: no unit has been done since
@@ -91,23 +81,18 @@ public:
   void finish()
   {
     m_partition.resize((std::max)(m_partition.size(), std::size_t(1)));
-    add_divided();
-    for(int i = 0; i < 2; ++i) // those in work, then those handed over since
-    {
-      divide(m_in_work, 0, m_in_work.size, m_partition.front());
-      begin_batch();
-      add_divided();
-    }
+    m_faces.finish(dividing_by(m_partition.front()), joining());
   }
 
   // The memory of the faces that wait, in bytes, without their breakpoints, which are few.
   std::size_t memory() const
   {
     std::size_t n = 0;
-    for(const Faces* faces : {&m_handed_over, &m_in_work, &m_divided})
-      for(const Waiting_face& f : faces->items)
-        n += sizeof(Waiting_face) + f.divided.images.capacity() * sizeof(Site_image<FT>)
-           + f.division.nodes.capacity() * sizeof(Face_node<FT>) + f.division.arcs.capacity() * sizeof(Face_arc<FT>);
+    m_faces.for_each_item([&](const Waiting_face& f)
+    {
+      n += sizeof(Waiting_face) + f.divided.images.capacity() * sizeof(Site_image<FT>)
+         + f.division.nodes.capacity() * sizeof(Face_node<FT>) + f.division.arcs.capacity() * sizeof(Face_arc<FT>);
+    });
     return n;
   }
 
@@ -118,39 +103,28 @@ private:
     Face_division<FT> division; // valid once it has been divided
   };
 
-  // The first `size` items are faces; the others keep their memory for later ones.
-  struct Faces
+  auto dividing_by(Face_partition<FT>& partition) const
   {
-    std::vector<Waiting_face> items;
-    std::size_t size = 0;
-  };
-
-  // At most a thousand units, with that of the faces that join, however many faces there are.
-  std::size_t faces_per_unit() const { return 1 + m_in_work.size / 900; }
-
-  void add_divided()
-  {
-    for(std::size_t i = 0; i < m_divided.size; ++i)
-      m_complex->add(m_divided.items[i].divided, m_divided.items[i].division);
-    m_divided.size = 0;
+    return [this, &partition](Waiting_face& f)
+    {
+      m_complex->divide(f.divided, partition);
+      f.division = partition.division();
+    };
   }
 
-  void divide(Faces& faces, std::size_t first, std::size_t last, Face_partition<FT>& partition) const
+  auto joining()
   {
-    for(std::size_t i = first; i < last; ++i)
-    {
-      m_complex->divide(faces.items[i].divided, partition);
-      faces.items[i].division = partition.division();
-    }
+    return [this](const Waiting_face& f) { m_complex->add(f.divided, f.division); };
   }
 
   Voronoi_complex<FT>* m_complex;
-  Faces m_handed_over, m_in_work, m_divided; // between two batches the faces move on to the next one of these
+  Work_in_batches<Waiting_face> m_faces;
   std::size_t m_joins = 0; // 1 or 0: the number of units in which faces join the complex
   std::vector<Face_partition<FT>> m_partition; // by thread
 };
 
-// The keeper of a parallel propagation whose faces the threads divide. `Removal` has a Deferred_division as consumer.
+// The keeper of a parallel propagation whose edges and faces the threads divide. `Removal` has a Deferred_division as
+// consumer. The units of a batch are those of the faces, then those of the edges.
 template <typename Removal>
 class Dividing_window_keeper : public Diagram_window_keeper<Removal>
 {
@@ -159,15 +133,33 @@ public:
   using FT = typename Base::FT;
   using Thread_keeper = typename Base::Thread_keeper;
 
-  explicit Dividing_window_keeper(Removal& removal) : Base(removal), m_division(&removal.consumer()) {}
+  explicit Dividing_window_keeper(Removal& removal) : Base(removal), m_removal(&removal) {}
 
-  void restart(std::size_t number_of_threads) { m_division->restart(number_of_threads); }
-  std::size_t begin_batch() { return m_division->begin_batch(); }
-  void do_unit(std::size_t unit, std::size_t thread) { m_division->do_unit(unit, thread); }
-  std::size_t memory() const { return m_division->memory(); }
+  void restart(std::size_t number_of_threads)
+  {
+    m_removal->consumer().restart(number_of_threads);
+    m_removal->defer_edges(number_of_threads);
+  }
+
+  std::size_t begin_batch()
+  {
+    m_number_of_face_units = m_removal->consumer().begin_batch();
+    return m_number_of_face_units + m_removal->begin_batch();
+  }
+
+  void do_unit(std::size_t unit, std::size_t thread)
+  {
+    if(unit < m_number_of_face_units)
+      m_removal->consumer().do_unit(unit, thread);
+    else
+      m_removal->do_unit(unit - m_number_of_face_units, thread);
+  }
+
+  std::size_t memory() const { return m_removal->consumer().memory() + m_removal->memory_of_edges(); }
 
 private:
-  Deferred_division<FT>* m_division;
+  Removal* m_removal;
+  std::size_t m_number_of_face_units = 0; // of the batch
 };
 
 // The consumer of a removal in one thread: divides each face when it is handed over.

@@ -31,18 +31,19 @@
 // divided. After that its windows are released.
 
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Divided_face.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/edges/Edge_division.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/edges/Edge_partition.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/edges/Site_strips.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/edges/Vertex_owners.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/site_images_of_face.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_table.h>
-#include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Edge_window_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Face_windows.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Window_lists.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/passing/Passed_faces.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/passing/Work_in_batches.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/passing/entering_windows.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/strips/Curve_arrivals.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/strips/Strip.h>
@@ -102,6 +103,8 @@ public:
     m_due_faces.clear();
     m_due_edges.clear();
     m_closed_faces.clear();
+    m_are_edges_deferred = false;
+    m_waiting_edges.clear();
   }
 
   // Gives the cell of one source to another one: see Vertex_owners::unite(). Call it after reset() and before the first
@@ -183,6 +186,7 @@ public:
   // are nearest nowhere.
   void advance(const FT& reached)
   {
+    m_waiting_edges.take_back([this](const Edge_division<FT>& edge) { finish_edge(edge); });
     if(m_lists_since_advance < lists_per_batch)
       return;
     m_lists_since_advance = 0;
@@ -190,11 +194,38 @@ public:
     deactivate_due_faces();
   }
 
+  // --- edges that several threads divide (Work_in_batches.h) ---
+
+  // Lets this number of threads divide the edges, from now on until finish(): in the units of each batch.
+  void defer_edges(std::size_t number_of_threads)
+  {
+    m_are_edges_deferred = true;
+    m_partition.resize((std::max)(number_of_threads, std::size_t(1)));
+  }
+
+  std::size_t begin_batch() { return m_waiting_edges.begin_batch(); }
+
+  void do_unit(std::size_t unit, std::size_t thread)
+  {
+    m_waiting_edges.do_unit(unit, dividing_by(m_partition[thread]));
+  }
+
+  // The memory of the edges that wait, in bytes.
+  std::size_t memory_of_edges() const
+  {
+    std::size_t n = 0;
+    m_waiting_edges.for_each_item([&](const Edge_division<FT>& edge) { n += edge.memory(); });
+    return n;
+  }
+
   // Makes all faces inactive, as the propagation has ended. That includes those around sources, which no window may
   // have entered, and those that no site reaches; these have no owner, and count as redundant.
   void finish()
   {
     m_owner.set_final_distance(Field::infinity());
+    m_waiting_edges.finish(dividing_by(m_partition.front()),
+                           [this](const Edge_division<FT>& edge) { finish_edge(edge); });
+    m_are_edges_deferred = false;
     m_faces.forget_waiting();
     for(Face_id f = 0; f < m_faces.size(); ++f)
     {
@@ -329,7 +360,8 @@ private:
       m_windows.release(halfedge_of(f, k));
   }
 
-  // Divides the edge of h, whose opposite is o or null_id: no face at it will get windows any more.
+  // Closes the edge of h, whose opposite is o or null_id: no face at it will get windows any more. If it may lie in
+  // several cells, it is divided first.
   void close_edge(Halfedge_id h, Halfedge_id o)
   {
     if(!m_mesh->is_first_of_edge(h)) // a face that has this edge twice comes here for both halfedges
@@ -337,9 +369,15 @@ private:
     const Face_id f = face_of(h), g = o == null_id ? f : face_of(o);
     if(m_faces[f].state == INACTIVE && m_faces[g].state == INACTIVE) // otherwise the edge is in one cell
       divide_edge(h, o);
-    close_side(f);
+    else
+      close_sides(h, o);
+  }
+
+  void close_sides(Halfedge_id h, Halfedge_id o)
+  {
+    close_side(face_of(h));
     if(o != null_id)
-      close_side(g);
+      close_side(face_of(o));
   }
 
   // Notes that one more side of a face is closed.
@@ -392,12 +430,16 @@ private:
     return range == nullptr ? Index_range{0, 0} : *range;
   }
 
-  // Finds the breakpoints of the edge, and removes the windows of both sides that are nearest nowhere. An edge whose
-  // ends have no site, or that has no length, gets a breakpoint only if its ends have different sites: at its source.
+  static auto dividing_by(Edge_partition<FT>& partition)
+  {
+    return [&partition](Edge_division<FT>& edge) { edge.divide(partition); };
+  }
+
+  // Divides the edge of h, now or by another thread. An edge whose ends have no site, or that has no length, gets a
+  // breakpoint only if its ends have different sites: at its source.
   // Requires: h < o, or o is null_id; both faces at the edge are INACTIVE.
   void divide_edge(Halfedge_id h, Halfedge_id o)
   {
-    CGAL_assertion(h < o); // (null_id is the largest index)
     const Vertex_id a = m_mesh->source(h), b = m_mesh->target(h);
     const FT length = m_mesh->length(h);
     const Vertex_id first = owner(a), last = owner(b);
@@ -405,63 +447,69 @@ private:
     {
       if(first != last)
         add_breakpoints(h, {Edge_breakpoint<FT>{FT(0), first, last}});
-      return;
+      return close_sides(h, o);
     }
-    m_edge.start(length, first, m_field->distance[a], last, m_field->distance[b]);
-    add_candidates(h, o, length);
-    if(o == null_id)
-      add_paths_to_border(h);
-    m_edge.build();
-    add_breakpoints(h, m_edge.breakpoints());
-    replace_windows(h, o, length);
-  }
-
-  // Adds the windows across h, then those across o, to the partition of the edge, in the frame of h.
-  void add_candidates(Halfedge_id h, Halfedge_id o, const FT& length)
-  {
-    m_candidates.clear();
-    m_windows.for_each_window(h, [&](const Kept_window<FT>& w)
-    {
-      m_candidates.emplace_back(h, w);
-      m_edge.add(Edge_image<FT>{w.begin, w.end, w.image_x, w.image_depth,
-                                m_field->distance[w.root], owner(w.root)});
-    });
-    if(o != null_id)
-      m_windows.for_each_window(o, [&](const Kept_window<FT>& w)
-      {
-        m_candidates.emplace_back(o, w);
-        m_edge.add(Edge_image<FT>{FT(length - w.end), FT(length - w.begin), FT(length - w.image_x), w.image_depth,
-                                  m_field->distance[w.root], owner(w.root)});
-      });
-    m_strip_candidates.clear();
+    Edge_division<FT>& edge = m_are_edges_deferred ? m_waiting_edges.add() : m_edge;
+    edge.start(h, o, length, {first, m_field->distance[a]}, {last, m_field->distance[b]});
+    add_windows(edge);
     if(m_strips.exist())
-      add_strips(h, o, length);
+      add_strips(edge);
+    if(o == null_id)
+      add_paths_to_border(edge);
+    if(m_are_edges_deferred)
+      return;
+    edge.divide(m_partition.front());
+    finish_edge(edge);
   }
 
-  // Does the same with the strips.
-  void add_strips(Halfedge_id h, Halfedge_id o, const FT& length)
+  void add_windows(Edge_division<FT>& edge)
   {
-    m_strips.for_each(h, [&](std::size_t i, const Strip<FT>& s, Vertex_id site)
+    for_each_side(edge, [&](Halfedge_id h)
     {
-      m_strip_candidates.emplace_back(h, i);
-      m_edge.add(Edge_image<FT>{s.begin, s.end, s.direction_x, FT(0), s.distance, site, true});
+      m_windows.for_each_window(h, [&](const Kept_window<FT>& w)
+      { edge.add(h, w, m_field->distance[w.root], owner(w.root)); });
     });
-    if(o != null_id)
-      m_strips.for_each(o, [&](std::size_t i, const Strip<FT>& s, Vertex_id site)
-      {
-        m_strip_candidates.emplace_back(o, i);
-        m_edge.add(Edge_image<FT>{FT(length - s.end), FT(length - s.begin), FT(-s.direction_x), FT(0),
-                                  s.distance_at(length), site, true});
-      });
   }
 
-  // The images of the edge behind those of its ends: windows, then strips.
-  std::size_t number_of_candidates() const { return m_candidates.size() + m_strip_candidates.size(); }
-
-  // The halfedge across which candidate i has come.
-  Halfedge_id side_of_candidate(std::size_t i) const
+  void add_strips(Edge_division<FT>& edge)
   {
-    return i < m_candidates.size() ? m_candidates[i].first : m_strip_candidates[i - m_candidates.size()].first;
+    for_each_side(edge, [&](Halfedge_id h)
+    {
+      m_strips.for_each(h, [&](std::size_t i, const Strip<FT>& s, Vertex_id site) { edge.add(h, i, s, site); });
+    });
+  }
+
+  // Adds the paths that arrive at a border edge through its face.
+  void add_paths_to_border(Edge_division<FT>& edge)
+  {
+    const Halfedge_id h = edge.halfedge();
+    const auto owner_of = [&](Vertex_id v) { return owner(v); };
+    for_each_site_image(*m_mesh, *m_field, m_windows, m_strips, owner_of, face_of(h), [&](const Site_image<FT>& g)
+    {
+      Edge_image<FT> e;
+      if(image_on_edge(*m_mesh, h, g, e))
+        edge.add(e);
+    });
+  }
+
+  // Calls visit(h) for the halfedges of an edge that have a face, the one with the smaller index first.
+  template <typename Visit>
+  static void for_each_side(const Edge_division<FT>& edge, Visit visit)
+  {
+    visit(edge.halfedge());
+    if(edge.opposite() != null_id)
+      visit(edge.opposite());
+  }
+
+  // Takes over the breakpoints of an edge that has been divided, and removes the windows of both sides that are nearest
+  // nowhere.
+  void finish_edge(const Edge_division<FT>& edge)
+  {
+    add_breakpoints(edge.halfedge(), edge.breakpoints());
+    for_each_side(edge, [&](Halfedge_id h) { m_windows.release(h); });
+    edge.for_each_needed_window([&](Halfedge_id h, const Kept_window<FT>& w) { m_windows.add(h, w); });
+    edge.for_each_strip_not_needed([&](std::size_t i) { m_strips.remove(i); });
+    close_sides(edge.halfedge(), edge.opposite());
   }
 
   // Stores the breakpoints of the edge of h.
@@ -472,85 +520,6 @@ private:
     m_range_of_edge.insert(h, Index_range{static_cast<std::uint32_t>(m_breakpoints.size()),
                                           static_cast<std::uint32_t>(found.size())});
     m_breakpoints.insert(m_breakpoints.end(), found.begin(), found.end());
-  }
-
-  // Adds the paths that arrive at a border edge through its face, as no window leaves the face there. Their images
-  // follow those of the candidates, so that is_nearest() can tell them apart.
-  void add_paths_to_border(Halfedge_id h)
-  {
-    const auto owner_of = [&](Vertex_id v) { return owner(v); };
-    for_each_site_image(*m_mesh, *m_field, m_windows, m_strips, owner_of, face_of(h), [&](const Site_image<FT>& g)
-    {
-      Edge_image<FT> e;
-      if(image_on_edge(*m_mesh, h, g, e))
-        m_edge.add(e);
-    });
-  }
-
-  // Keeps the windows that are nearest somewhere, with their whole intervals: the points where others take over are
-  // known up to rounding only, and do not match those on the other edges of a face.
-  void replace_windows(Halfedge_id h, Halfedge_id o, const FT& length)
-  {
-    m_windows.release(h);
-    if(o != null_id)
-      m_windows.release(o);
-    m_has_interval.assign(number_of_candidates() + 2, false);
-    for(const Edge_interval<FT>& i : m_edge.intervals())
-      if(i.image < m_has_interval.size() && i.begin < i.end)
-        m_has_interval[i.image] = true;
-    for(std::size_t i = 0; i < m_candidates.size(); ++i)
-      if(m_has_interval[i + 2] || is_nearest_somewhere(i + 2, length))
-        m_windows.add(m_candidates[i].first, m_candidates[i].second);
-    for(std::size_t i = 0; i < m_strip_candidates.size(); ++i)
-    {
-      const std::size_t image = m_candidates.size() + i + 2;
-      if(!m_has_interval[image] && !is_nearest_somewhere(image, length))
-        m_strips.remove(m_strip_candidates[i].second);
-    }
-  }
-
-  // Returns whether a window that has no interval of its own ties with the nearest one on a part of its edge. If its
-  // image is on the edge itself, it may be nearest
-  // at the image only.
-  bool is_nearest_somewhere(std::size_t window, const FT& length) const
-  {
-    const Edge_image<FT>& g = m_edge.image(window);
-    const FT foot = (std::min)((std::max)(g.image_x, g.begin), g.end);
-    const bool is_on_edge = !g.is_at_infinity && g.depth <= Tolerance<FT>::closeness() * length;
-    const std::vector<Edge_interval<FT>>& intervals = m_edge.intervals();
-    const auto ends_before = [](const Edge_interval<FT>& i, const FT& x) { return i.end < x; };
-    for(auto it = std::lower_bound(intervals.begin(), intervals.end(), g.begin, ends_before);
-        it != intervals.end() && it->begin <= g.end; ++it)
-    {
-      const Edge_interval<FT>& i = *it;
-      const FT first = (std::max)(g.begin, i.begin), last = (std::min)(g.end, i.end);
-      if((first < last && is_nearest(window, i.image, first + (last - first) / 2))
-         || (is_on_edge && i.begin <= foot && foot <= i.end && ties(window, i.image, foot)))
-        return true;
-    }
-    return false;
-  }
-
-  // Returns whether a window ties at x with the image `nearest`, which the partition has found, and has to be kept for
-  // that.
-  //
-  // A path along the edge may cross it or not, up to rounding, so that a window ties with one that leaves its face.
-  // Each of the two is kept for the face that it enters: the other one comes to that face across another edge, where
-  // it may have been removed because of this one. Of the windows of one side that tie, one is enough.
-  bool is_nearest(std::size_t window, std::size_t nearest, const FT& x) const
-  {
-    if(nearest < 2) // a corner of both faces
-      return false;
-    if(nearest - 2 < number_of_candidates() && side_of_candidate(nearest - 2) == side_of_candidate(window - 2))
-      return false;
-    return ties(window, nearest, x);
-  }
-
-  // Returns whether a window is as near at x as the nearest image, up to the error of images.
-  bool ties(std::size_t window, std::size_t nearest, const FT& x) const
-  {
-    const FT d = m_edge.image(nearest).distance_at(x);
-    return m_edge.image(window).distance_at(x) <= d + m_edge.margin_of_tie(d);
   }
 
   const Mesh* m_mesh = nullptr;
@@ -569,11 +538,10 @@ private:
   std::vector<Face_id> m_due_faces;
   std::vector<std::pair<Halfedge_id, Halfedge_id>> m_due_edges;
   std::vector<Face_id> m_closed_faces;
-  Edge_partition<FT> m_edge; // the edge that is divided
-  // The windows of that edge, and across which halfedge each has come. Image i + 2 of m_edge is candidate i.
-  std::vector<std::pair<Halfedge_id, Kept_window<FT>>> m_candidates;
-  std::vector<std::pair<Halfedge_id, std::size_t>> m_strip_candidates; // strips by their numbers
-  std::vector<char> m_has_interval; // whether the partition has given an interval to an image of m_edge
+  bool m_are_edges_deferred = false; // do other threads divide edges?
+  Edge_division<FT> m_edge; // the edge that is divided, if this thread does it
+  std::vector<Edge_partition<FT>> m_partition = std::vector<Edge_partition<FT>>(1); // by thread
+  Work_in_batches<Edge_division<FT>> m_waiting_edges; // those that other threads divide
   Divided_face<FT> m_divided_face;
 };
 

@@ -123,9 +123,9 @@ public:
     {
       if(m_owner[v] == null_id)
         continue;
-      ++elements(m_owner[v]).vertices;
-      elements(m_owner[v]).vertex = v;
-      elements(m_owner[v]).pinched_vertices += m_mesh->has(v, Mesh::PINCHED) ? 1 : 0;
+      ++m_cells.of(m_owner[v]).vertices;
+      m_cells.of(m_owner[v]).vertex = v;
+      m_cells.of(m_owner[v]).pinched_vertices += m_mesh->has(v, Mesh::PINCHED) ? 1 : 0;
     }
     count_edges_and_faces();
     link_chains();
@@ -142,7 +142,6 @@ public:
     m_chains.clear();
     m_arcs_of_face.clear();
     m_cells.clear();
-    m_last_site = null_id;
     m_number_of_joints = 0;
   }
 
@@ -190,18 +189,14 @@ public:
   Vertex_id owner_of_undivided(Face_id f) const
   {
     CGAL_assertion(has_one_cell(f));
-    return m_owner[m_mesh->face(f).vertex[0]];
+    return owner_of_face(f);
   }
 
   // Returns whether no arc runs through a face.
   bool has_one_cell(Face_id f) const { return m_arcs_of_face.find(f) == nullptr; }
 
   // Returns the number of mesh elements in the cell of a site, zeros if the cell is empty.
-  Voronoi_cell_elements cell(Vertex_id site) const
-  {
-    const auto it = m_cells.find(site);
-    return it == m_cells.end() ? Voronoi_cell_elements() : it->second;
-  }
+  Voronoi_cell_elements cell(Vertex_id site) const { return m_cells.find(site); }
 
   // Calls visit(site, p, q) for the segments of the border of a face, counterclockwise, cut where cells end. Visits
   // nothing in a face that no site reaches. p and q are in the layout of the face; a segment may have no length.
@@ -343,21 +338,10 @@ private:
     return Point{FT(a.x + t * (b.x - a.x)), FT(a.y + t * (b.y - a.y))};
   }
 
-  // Returns the counts of the cell of a site. The last site is remembered, as most calls repeat it. (The pointer stays
-  // valid: std::unordered_map does not move its elements.)
-  Voronoi_cell_elements& elements(Vertex_id site)
-  {
-    if(site != m_last_site)
-    {
-      m_last_elements = &m_cells[site];
-      m_last_site = site;
-    }
-    return *m_last_elements;
-  }
-
   // Counts the faces in one cell each, and the parts into which cells divide edges: one more than the edge has nodes.
-  // (add() counts the parts of faces in several cells.) Each edge is counted once, by its halfedge with the smaller
-  // index.
+  // (add() has counted the parts of faces in several cells.) Each edge is counted once, by its halfedge with the
+  // smaller index. All faces and edges count as undivided first, and those that are divided are corrected then: the
+  // tables of these are small.
   void count_edges_and_faces()
   {
     for(Face_id f = 0; f < m_mesh->number_of_faces(); ++f)
@@ -365,23 +349,25 @@ private:
       const typename Mesh::Face& face = m_mesh->face(f);
       if(m_owner[face.vertex[0]] == null_id)
         continue;
-      const bool is_whole = has_one_cell(f);
-      if(is_whole)
-        ++elements(m_owner[face.vertex[0]]).face_regions;
+      ++m_cells.of(m_owner[face.vertex[0]]).face_regions;
       for(unsigned int k = 0; k < 3; ++k)
-      {
-        const Halfedge_id h = halfedge_of(f, k);
-        if(!m_mesh->is_first_of_edge(h))
-          continue;
-        ++elements(m_owner[face.vertex[k]]).edge_intervals;
-        if(is_whole)
-          continue;
-        const Nodes_on_edge nodes = nodes_on_edge(h);
-        for(std::uint32_t i = 0; i < nodes.number; ++i)
-          ++elements(m_nodes[nodes.node(i)].sites[1]).edge_intervals;
-      }
+        if(m_mesh->is_first_of_edge(halfedge_of(f, k)))
+          ++m_cells.of(m_owner[face.vertex[k]]).edge_intervals;
     }
+    m_arcs_of_face.for_each([this](Face_id f, const std::pair<std::uint32_t, std::uint32_t>&)
+    {
+      if(owner_of_face(f) != null_id)
+        --m_cells.of(owner_of_face(f)).face_regions;
+    });
+    m_edge_nodes.for_each([this](Halfedge_id h, const Index_range& nodes)
+    {
+      for(std::uint32_t n = nodes.first; n < nodes.first + nodes.size && owner_of_face(face_of(h)) != null_id; ++n)
+        ++m_cells.of(m_nodes[n].sites[1]).edge_intervals;
+    });
   }
+
+  // The site of the first corner of a face.
+  Vertex_id owner_of_face(Face_id f) const { return m_owner[m_mesh->face(f).vertex[0]]; }
 
   // --- faces ---
 
@@ -462,7 +448,7 @@ private:
       if(is_seen[start])
         continue;
       const Vertex_id site = division.nodes[start].sites[1];
-      ++elements(site).face_regions;
+      ++m_cells.of(site).face_regions;
       std::size_t i = start;
       while(!is_seen[i])
       {
@@ -544,7 +530,7 @@ private:
     const std::uint32_t number = static_cast<std::uint32_t>(m_chains.size());
     m_chains_of_cell[chain.left_site].emplace_back(number, false);
     m_chains_of_cell[chain.right_site].emplace_back(number, true);
-    m_chains.push_back(chain);
+    m_chains.push_back(std::move(chain));
   }
 
 public:
@@ -576,9 +562,7 @@ private:
   std::vector<Arc> m_arcs;
   std::vector<Chain> m_chains;
   Index_table<std::pair<std::uint32_t, std::uint32_t>> m_arcs_of_face; // (first, last); divided faces only
-  std::unordered_map<Vertex_id, Voronoi_cell_elements> m_cells; // by site
-  Vertex_id m_last_site = null_id; // of elements(); null_id if the pointer means nothing
-  Voronoi_cell_elements* m_last_elements = nullptr;
+  Elements_of_cells m_cells;
   std::size_t m_number_of_joints = 0;
   Face_partition<FT> m_partition;
   // For the face that is added: the node of each breakpoint, and of each node of the partition. (Breakpoints are the

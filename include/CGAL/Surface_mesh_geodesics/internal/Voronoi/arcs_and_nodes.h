@@ -15,6 +15,7 @@
 //
 // Lengths are in the unit of the intrinsic mesh; distances and weights include the offsets of the sites.
 
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_table.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Weighted_bisector.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
@@ -101,6 +102,50 @@ struct Voronoi_cell_elements
 {
   std::size_t vertices = 0, edge_intervals = 0, face_regions = 0, pinched_vertices = 0;
   Vertex_id vertex = null_id;
+};
+
+// The counts of all cells, by site.
+class Elements_of_cells
+{
+public:
+  void clear()
+  {
+    m_cell_of_site.clear();
+    m_cells.clear();
+    m_last_site = null_id;
+  }
+
+  // Returns the counts of a cell, zeros if it has none so far.
+  Voronoi_cell_elements find(Vertex_id site) const
+  {
+    const std::uint32_t* const cell = m_cell_of_site.find(site);
+    return cell == nullptr ? Voronoi_cell_elements() : m_cells[*cell];
+  }
+
+  // Returns the counts of a cell, to be changed: the reference is valid until the next call. The last site is
+  // remembered, as most calls repeat it.
+  Voronoi_cell_elements& of(Vertex_id site)
+  {
+    if(site != m_last_site)
+    {
+      const std::uint32_t* const found = m_cell_of_site.find(site);
+      const std::uint32_t cell = found == nullptr ? static_cast<std::uint32_t>(m_cells.size()) : *found;
+      if(found == nullptr)
+      {
+        m_cells.emplace_back();
+        m_cell_of_site.insert(site, cell);
+      }
+      m_last_site = site;
+      m_last_cell = cell;
+    }
+    return m_cells[m_last_cell];
+  }
+
+private:
+  Index_table<std::uint32_t> m_cell_of_site; // the index in m_cells
+  std::vector<Voronoi_cell_elements> m_cells;
+  Vertex_id m_last_site = null_id; // null_id if m_last_cell means nothing
+  std::uint32_t m_last_cell = 0;
 };
 
 } // namespace internal

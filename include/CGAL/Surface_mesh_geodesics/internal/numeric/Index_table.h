@@ -67,6 +67,15 @@ public:
     return true;
   }
 
+  // Calls visit(key, value) for all entries, in no particular order.
+  template <typename Visit>
+  void for_each(Visit visit) const
+  {
+    for(std::size_t i = 0; m_size > 0 && i < m_keys.size(); ++i)
+      if(m_keys[i] != null_id)
+        visit(m_keys[i], m_values[i]);
+  }
+
 private:
   // The position of the key, or the free position where it belongs. Requires: a position is free;
   // key != null_id.
