@@ -501,6 +501,40 @@ void broken_off_runs_leave_no_trace(const Intrinsic_mesh& mesh, const Sources& s
   }
 }
 
+// The same for a diagram, whose edges and faces may wait when the run ends.
+void broken_off_diagrams_leave_no_trace(const Intrinsic_mesh& mesh, const Sources& sources)
+{
+  test_support::Scope scope("broken off diagrams");
+  using Diagram = internal::Diagram_propagation<double, true>;
+  for(const std::size_t number : numbers_of_threads)
+  {
+    Field field;
+    field.keeps_images = true;
+    Complex complex;
+    Diagram diagram(complex);
+    diagram.start(mesh, field);
+    Parallel<Diagram::Keeper> propagation(mesh, field, 16, Thread_team(number), diagram.keeper());
+    std::vector<double> first;
+    for(std::size_t last = 0; last < 60; last += 6)
+    {
+      diagram.start(mesh, field);
+      propagation.restart();
+      run(propagation, sources);
+      diagram.finish();
+      const std::vector<double> numbers = numbers_of(complex);
+      first = first.empty() ? numbers : first;
+      CHECK(numbers == first);
+
+      diagram.start(mesh, field);
+      propagation.restart();
+      add(sources, propagation);
+      std::size_t calls = 0;
+      CHECK(!propagation.run([&](std::size_t, double) { return calls++ < last; }));
+    }
+    CHECK(first.size() > 100);
+  }
+}
+
 } // namespace
 
 int main()
@@ -528,5 +562,6 @@ int main()
   }
   const Intrinsic_mesh terrain = intrinsic_mesh(to_face_graph(rough_terrain(24, 1., seed)));
   broken_off_runs_leave_no_trace(terrain, random_sources(terrain, 5, random));
+  broken_off_diagrams_leave_no_trace(terrain, random_sources(terrain, 12, random));
   return test_result();
 }

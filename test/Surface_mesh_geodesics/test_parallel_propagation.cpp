@@ -2,6 +2,7 @@
 // timing.
 
 #include "distance_test_helpers.h"
+#include "expected_exceptions.h"
 #include "intrinsic_mesh_helpers.h"
 #include "test_meshes.h"
 #include "test_support.h"
@@ -340,6 +341,90 @@ void public_functions_agree_with_sequential_ones(std::uint64_t seed, test_suppor
   CHECK_FIELDS_CLOSE(first, expected, 1e-13);
 }
 
+// Limits of a run, and the results after it, in the object that has made it.
+void limits_hold_with_threads(std::uint64_t seed)
+{
+  test_support::Scope scope("limits");
+  const Mesh tm = to_face_graph(noisy_sphere(4, .1, seed));
+  Options within_radius, to_targets;
+  within_radius.maximum_distance = 1.;
+  to_targets.targets = {vertex(7), vertex(40)};
+  const std::vector<double> expected = distances(tm, vertex(3));
+  const std::vector<double> expected_within = tagged_distances<CGAL::Sequential_tag>(tm, vertex(3), within_radius);
+  for(const std::size_t number_of_threads : numbers_of_threads)
+  {
+    with_threads(number_of_threads, [&]
+    {
+      CHECK_FIELDS_CLOSE(tagged_distances<CGAL::Parallel_tag>(tm, vertex(3), within_radius), expected_within, 1e-13);
+      const std::vector<double> found = tagged_distances<CGAL::Parallel_tag>(tm, vertex(3), to_targets);
+      SMG::Geodesic_distance_solver<Mesh, CGAL::Parallel_tag> solver(tm);
+      solver.compute_distances(vertex(3), parameters_of(within_radius));
+      for(const vertex_descriptor v : vertices(tm))
+      {
+        CHECK(!(solver.distance(v) < infinity)
+              || std::abs(solver.distance(v) - expected[std::size_t(v)]) <= 1e-13 * expected[std::size_t(v)]);
+        CHECK_EQUAL(solver.distance(v) < infinity, expected_within[std::size_t(v)] < infinity);
+      }
+      for(const vertex_descriptor v : to_targets.targets)
+      {
+        CHECK_CLOSE(found[std::size_t(v)], expected[std::size_t(v)], 1e-13);
+      }
+    });
+  }
+}
+
+// Cancels after some steps, or throws.
+struct Impatient_visitor : SMG::Geodesic_default_visitor
+{
+  std::size_t steps_left = 0;
+  bool throws = false;
+
+  bool go_further()
+  {
+    if(steps_left == 0 && throws)
+    {
+      throw std::range_error("thrown by the visitor");
+    }
+    return steps_left == 0 ? false : (--steps_left, true);
+  }
+};
+
+// A run that a visitor ends leaves objects that can be used again.
+void visitors_end_runs_with_threads(std::uint64_t seed)
+{
+  test_support::Scope scope("visitors");
+  const Mesh tm = to_face_graph(noisy_sphere(4, .1, seed));
+  const std::vector<double> expected = distances(tm, vertex(3));
+  auto map = get(CGAL::dynamic_vertex_property_t<double>(), tm);
+  for(const std::size_t number_of_threads : numbers_of_threads)
+  {
+    with_threads(number_of_threads, [&]
+    {
+      SMG::Geodesic_distance_solver<Mesh, CGAL::Parallel_tag> solver(tm);
+      for(const std::size_t steps : {std::size_t(0), std::size_t(1), std::size_t(20)})
+      {
+        Impatient_visitor visitor;
+        visitor.steps_left = steps;
+        const auto np = CGAL::parameters::visitor(std::ref(visitor));
+        CHECK(!SMG::geodesic_distances<CGAL::Parallel_tag>(tm, map, vertex(3), np));
+        visitor.steps_left = steps;
+        CHECK(!solver.compute_distances(vertex(3), np));
+        visitor.throws = true;
+        visitor.steps_left = steps;
+        CHECK(throws<std::range_error>(
+          [&] { SMG::geodesic_distances<CGAL::Parallel_tag>(tm, map, vertex(3), np); }));
+        visitor.steps_left = steps;
+        CHECK(throws<std::range_error>([&] { solver.compute_distances(vertex(3), np); }));
+        CHECK(solver.compute_distances(vertex(3)));
+        for(const vertex_descriptor v : vertices(tm))
+        {
+          CHECK_CLOSE(solver.distance(v), expected[std::size_t(v)], 1e-13);
+        }
+      }
+    });
+  }
+}
+
 #endif // CGAL_LINKED_WITH_TBB
 
 } // namespace
@@ -364,6 +449,8 @@ int main()
   memory_does_not_grow_from_run_to_run();
 #ifdef CGAL_LINKED_WITH_TBB
   public_functions_agree_with_sequential_ones(seed, random);
+  limits_hold_with_threads(seed);
+  visitors_end_runs_with_threads(seed);
 #else
   std::cout << "TBB is not there: the public functions are not parallel" << std::endl;
 #endif

@@ -120,8 +120,8 @@ mutex, and the others wait; once it is there, queries take no lock. Functions th
 same time as any other function of the object.
 
 <b>Parallel propagation.</b> With `Parallel_tag` as `ConcurrencyTag`, the propagation runs in the threads of the task
-arena of the calling thread, as in `Surface_mesh_geodesics::geodesic_distances()`. They also cut the faces that curves
-cross, while one of them at a time removes redundant windows and divides edges. So a diagram gains less from many
+arena of the calling thread, as in `Surface_mesh_geodesics::geodesic_distances()`. They also divide the edges and faces
+that lie in several cells, while one of them at a time removes redundant windows. So a diagram gains less from many
 threads than distances do. Queries are answered in the calling thread. Vertices, arcs and edges and their order do not
 depend on the number of threads, down to the last bit. From those with `Sequential_tag` they may differ by rounding and
 in their order. The calling thread calls the functions of a visitor, less often than with `Sequential_tag`.

@@ -2,8 +2,8 @@
 #define SURFACE_MESH_GEODESICS_DISTANCE_FUZZING_H
 
 // Distances on random hostile surfaces, checked in two ways that do not rely on the propagation: by the certificate,
-// and on small surfaces by a referee that unfolds from each source with more digits. A case that fails is reduced while
-// it still fails, and saved.
+// and on small surfaces by a referee that unfolds from each source with more digits. Several threads, if there are any,
+// have to find the same distances. A case that fails is reduced while it still fails, and saved.
 
 #include "distance_case.h"
 #include "distance_test_helpers.h"
@@ -13,6 +13,8 @@
 
 #include <CGAL/Surface_mesh_geodesics/certify_geodesic_distances.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_distances.h>
+
+#include <CGAL/tags.h>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
@@ -107,13 +109,14 @@ struct Input
     return m_vertices.size() == m_locations.size() ? call(m_vertices) : call(m_locations);
   }
 
+  template <class Tag>
   void compute()
   {
     with_sources([&](const auto& sources)
     {
       const auto np = parameters_of(options);
-      return has_points ? SMG::geodesic_distances(tm, distance, sources, np)
-                        : SMG::geodesic_distances_from_edge_lengths(tm, lengths, distance, sources, np);
+      return has_points ? SMG::geodesic_distances<Tag>(tm, distance, sources, np)
+                        : SMG::geodesic_distances_from_edge_lengths<Tag>(tm, lengths, distance, sources, np);
     });
   }
 
@@ -356,6 +359,21 @@ inline void certify(const Distance_case& c, const Input& input, Findings& findin
   }
 }
 
+// Compares the distances with those that several threads compute, which stay in the input.
+inline void compare_with_threads(const Distance_case& c, Input& input, Findings& findings)
+{
+  const std::vector<double> expected = values_at_vertices(input.tm, input.distance);
+  input.compute<CGAL::Parallel_if_available_tag>();
+  const double extent = static_cast<double>(c.sources.size()) * extent_of(c);
+  for(std::size_t v = 0; v < expected.size(); ++v)
+  {
+    if(!(relative_error(input.distance[vertex(v)], expected[v], extent) <= tolerance))
+    {
+      findings.fault = "several threads find another distance";
+    }
+  }
+}
+
 inline Findings examine(const Distance_case& c)
 {
   Findings findings;
@@ -364,9 +382,10 @@ inline Findings examine(const Distance_case& c)
     Input input(c);
     try
     {
-      input.compute();
+      input.compute<CGAL::Sequential_tag>();
       certify(c, input, findings);
       compare_with_referee(c, input, findings);
+      compare_with_threads(c, input, findings);
     }
     catch(const std::exception& e)
     {

@@ -26,7 +26,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -201,8 +200,8 @@ public:
   Removal& removal() { return m_removal; }
   Keeper keeper() { return Keeper(m_removal); }
 
-  // Divides the last faces. Then the owners, whose distances are final now, let the complex count elements and link
-  // arcs to chains.
+  // Divides the last edges and faces. Then the owners, whose distances are final now, let the complex count elements
+  // and link arcs to chains.
   void finish()
   {
     m_removal.finish();

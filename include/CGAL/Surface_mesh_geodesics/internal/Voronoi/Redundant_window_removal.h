@@ -27,8 +27,11 @@
 // are nearest nowhere are removed; the others keep their whole intervals. Afterwards far more faces are redundant:
 // those that windows of another site have entered, but nowhere as the nearest ones.
 //
-// *Divided faces.* A face that lies in several cells is handed over as a Divided_face as soon as all of its edges are
+// *Divided faces.* A face that lies in several cells is handed over as a Divided_face when all of its edges have been
 // divided. After that its windows are released.
+//
+// *Several threads.* Dividing an edge needs its windows only. So other threads may divide edges, in the batch of visits
+// after the one that has found them (Work_in_batches.h); the removal takes them back in the next batch.
 
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Divided_face.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/edges/Edge_division.h>
@@ -41,6 +44,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Edge_window_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Face_windows.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Kept_window.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Window_lists.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/passing/Passed_faces.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/passing/Work_in_batches.h>
@@ -53,7 +57,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -67,14 +70,15 @@ namespace internal {
 // finish() returns, and no windows are left; owners() may be called then. Time: linear in the number of windows that
 // enter faces, plus for each divided edge what Edge_partition takes.
 //
-// One thread at a time may call an object. It reads the mesh and the distances, and writes neither.
+// One thread at a time may call an object; do_unit() only may run beside other calls, of itself too. An object reads
+// the mesh and the distances, and writes neither.
 //
 // Invariants:
 // - The state of a face only grows (State). m_windows has windows of ACTIVE and INACTIVE faces only; keep() rejects
 //   those that come later, and remove_windows() releases those of a face that is DONE.
-// - Each edge is closed once, when the last of its faces becomes inactive (deactivate()); open_edges counts the sides
-//   that are still to come. So a face is handed over after all of its edges, and both faces at an edge get the same
-//   breakpoints.
+// - Each edge is closed once, after the last of its faces has become inactive (deactivate()); open_edges counts the
+//   sides that are still to come. So a face is handed over after all of its edges, and both faces at an edge get the
+//   same breakpoints.
 template <typename FT_, typename Consumer_>
 class Redundant_window_removal
 {
@@ -181,12 +185,16 @@ public:
   // Lets the inactive region grow, as the wavefront has reached a distance (thesis, algorithm 4, step 4).
   // Requires: distances below `reached` are final, and windows with paths that short have been kept.
   //
-  // Nothing happens before enough lists have been kept: one batch of faces needs the caches once, and the propagation
-  // has them for itself meanwhile. A face of the batch keeps the few windows that come later than they need to, which
-  // are nearest nowhere.
+  // No face becomes inactive before enough lists have been kept: some faces at once need the caches once, and the
+  // propagation has them for itself meanwhile. A face of these keeps the few windows that come later than they need to,
+  // which are nearest nowhere.
   void advance(const FT& reached)
   {
-    m_waiting_edges.take_back([this](const Edge_division<FT>& edge) { finish_edge(edge); });
+    if(m_waiting_edges.has_done())
+    {
+      m_waiting_edges.take_back([this](const Edge_division<FT>& edge) { finish_edge(edge); });
+      finish_closed_faces();
+    }
     if(m_lists_since_advance < lists_per_batch)
       return;
     m_lists_since_advance = 0;
@@ -196,15 +204,20 @@ public:
 
   // --- edges that several threads divide (Work_in_batches.h) ---
 
-  // Lets this number of threads divide the edges, from now on until finish(): in the units of each batch.
+  // Lets this number of threads divide the edges, from now on until finish(): in the units of each batch. Edges that
+  // wait from an earlier run are forgotten.
   void defer_edges(std::size_t number_of_threads)
   {
     m_are_edges_deferred = true;
+    m_waiting_edges.clear();
     m_partition.resize((std::max)(number_of_threads, std::size_t(1)));
   }
 
+  // Begins a batch, and returns the number of its units. Requires: advance() was called since the last batch, if that
+  // batch had units.
   std::size_t begin_batch() { return m_waiting_edges.begin_batch(); }
 
+  // Does a unit, with the partition of a thread. Any thread may call it, each with its own number.
   void do_unit(std::size_t unit, std::size_t thread)
   {
     m_waiting_edges.do_unit(unit, dividing_by(m_partition[thread]));
@@ -218,8 +231,9 @@ public:
     return n;
   }
 
-  // Makes all faces inactive, as the propagation has ended. That includes those around sources, which no window may
-  // have entered, and those that no site reaches; these have no owner, and count as redundant.
+  // Divides all edges, in this thread, and makes all faces inactive, as the propagation has ended. That includes those
+  // around sources, which no window may have entered, and those that no site reaches; these have no owner, and count as
+  // redundant.
   void finish()
   {
     m_owner.set_final_distance(Field::infinity());
@@ -256,8 +270,9 @@ public:
 private:
   static constexpr Vertex_id several_sources = null_id - 1;
 
-  // UNTOUCHED: no window has entered. ACTIVE: windows may still enter. INACTIVE: waits for its neighbors. DONE: has
-  // released its windows. A face in the queue is ACTIVE. Faces around a source may stay UNTOUCHED until finish().
+  // UNTOUCHED: no window has entered. ACTIVE: windows may still enter. INACTIVE: waits for its neighbors and edges.
+  // DONE: has released its windows. A face in the queue is ACTIVE. Faces around a source may stay UNTOUCHED until
+  // finish().
   enum State : unsigned char { UNTOUCHED, ACTIVE, INACTIVE, DONE };
 
   struct Face_record : Side_bounds
@@ -291,8 +306,8 @@ private:
 
   static constexpr std::size_t lists_per_batch = 32;
 
-  // Makes the faces of a batch inactive, divides the edges that they close, and hands over the faces whose edges are
-  // all closed. Each step is a loop of its own: their code does not fit into the instruction cache together.
+  // Makes the faces of a batch inactive, closes their edges to inactive neighbors, and hands over the faces whose edges
+  // are all closed. Each step is a loop of its own: their code does not fit into the instruction cache together.
   void deactivate_due_faces()
   {
     for(const Face_id f : m_due_faces)
@@ -303,6 +318,11 @@ private:
     for(const std::pair<Halfedge_id, Halfedge_id>& e : m_due_edges)
       close_edge(e.first, e.second);
     m_due_edges.clear();
+    finish_closed_faces();
+  }
+
+  void finish_closed_faces()
+  {
     for(const Face_id f : m_closed_faces)
       finish_face(f);
     m_closed_faces.clear();

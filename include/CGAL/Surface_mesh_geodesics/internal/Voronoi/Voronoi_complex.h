@@ -340,8 +340,8 @@ private:
 
   // Counts the faces in one cell each, and the parts into which cells divide edges: one more than the edge has nodes.
   // (add() has counted the parts of faces in several cells.) Each edge is counted once, by its halfedge with the
-  // smaller index. All faces and edges count as undivided first, and those that are divided are corrected then: the
-  // tables of these are small.
+  // smaller index. All faces and edges count as undivided first. Then the counts of those that are divided are
+  // corrected: their tables are small.
   void count_edges_and_faces()
   {
     for(Face_id f = 0; f < m_mesh->number_of_faces(); ++f)
@@ -361,7 +361,9 @@ private:
     });
     m_edge_nodes.for_each([this](Halfedge_id h, const Index_range& nodes)
     {
-      for(std::uint32_t n = nodes.first; n < nodes.first + nodes.size && owner_of_face(face_of(h)) != null_id; ++n)
+      if(owner_of_face(face_of(h)) == null_id)
+        return;
+      for(std::uint32_t n = nodes.first; n < nodes.first + nodes.size; ++n)
         ++m_cells.of(m_nodes[n].sites[1]).edge_intervals;
     });
   }

@@ -10,8 +10,9 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_ARCS_AND_NODES_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_ARCS_AND_NODES_H
 
-// The elements that a Voronoi complex (Voronoi_complex.h) is made of, as plain values. Arcs, nodes and chains refer to
-// each other by their indices in the complex; faces and sites are faces and vertices of the refined mesh.
+// The elements that a Voronoi complex (Voronoi_complex.h) is made of, and a table of the counts of cells. Arcs, nodes
+// and chains refer to each other by their indices in the complex; faces and sites are faces and vertices of the refined
+// mesh.
 //
 // Lengths are in the unit of the intrinsic mesh; distances and weights include the offsets of the sites.
 
@@ -104,7 +105,7 @@ struct Voronoi_cell_elements
   Vertex_id vertex = null_id;
 };
 
-// The counts of all cells, by site.
+// The counts of all cells, by site. Requires of all functions: the site is not null_id.
 class Elements_of_cells
 {
 public:

@@ -62,13 +62,13 @@ public:
     m_paths.clear();
   }
 
-  // Adds a window across h, which is halfedge() or opposite(), given the distance of its root and its site.
+  // Adds a window across h, which is halfedge() or opposite(), given its site and the distance of its root.
   void add(Halfedge_id h, const Kept_window<FT>& w, const FT& distance, Vertex_id site)
   {
     m_windows.push_back({w, distance, site, h == m_halfedge});
   }
 
-  // Adds the strip with a number, across the same halfedges.
+  // Adds the strip with a number, across one of these halfedges.
   void add(Halfedge_id h, std::size_t number, const Strip<FT>& s, Vertex_id site)
   {
     m_strips.push_back({s, number, site, h == m_halfedge});
@@ -96,7 +96,7 @@ public:
   Halfedge_id halfedge() const { return m_halfedge; }
   Halfedge_id opposite() const { return m_opposite; }
 
-  // Where cells begin and end, in ascending order. Require: divide() was called.
+  // Where cells begin and end, in ascending order. Requires: divide() was called.
   const std::vector<Breakpoint>& breakpoints() const { return m_breakpoints; }
 
   // Calls visit(halfedge, window) for the windows that are nearest somewhere, in the order in which they were added.

@@ -94,7 +94,7 @@ struct Edge_interval
 //
 // Invariants after build(), regardless of rounding (is_partition() checks them): the intervals cover the edge without
 // overlap; the breakpoints ascend, lead from the site of the first end to that of the last one, and each one changes
-// the site. Redundant_window_removal relies on the order of the images: 0 and 1 are the ends, 2 is the first that is
+// the site. Edge_division relies on the order of the images: 0 and 1 are the ends, 2 is the first that is
 // added.
 template <typename FT>
 class Edge_partition

@@ -25,8 +25,8 @@
 // propagate_diagram(), and Voronoi_handles::collect(). measure_cells() and Path_solver::add_windows() are the other two
 // steps.
 //
-// With Parallel_tag, several threads propagate and divide faces, and one of them removes windows at the same time
-// (Window_relay.h). The thread that computes holds the mutex, so while it waits for the others it must not start a
+// With Parallel_tag, several threads propagate and divide edges and faces, and one of them removes windows at the same
+// time (Window_relay.h). The thread that computes holds the mutex, so while it waits for the others it must not start a
 // query of the user (Tbb_team::run()).
 
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
@@ -411,7 +411,7 @@ public:
   }
 
 private:
-  // What propagates and makes the complex: with Parallel_tag, all threads divide the faces.
+  // What propagates and makes the complex: with Parallel_tag, all threads divide edges and faces.
   using Building
     = Diagram_propagation<double, std::is_same<typename Available_tag<ConcurrencyTag>::type, Parallel_tag>::value>;
   using Measures = Voronoi_cell_measures;

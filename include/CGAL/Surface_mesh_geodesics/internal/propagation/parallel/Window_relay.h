@@ -31,9 +31,9 @@ namespace internal {
 // If the keeper is deferred, its Thread_keeper is a log: position() is the end of the log, swap() and clear() are those
 // of a container. keeper.take_over(log, first, last, reached) takes the lists between two positions; distances up to
 // `reached` are final. It may have units of its own in each batch: keeper.begin_batch() returns their number, at most a
-// thousand, and keeper.do_unit(i, thread) does one of them, in any thread and beside everything else. The units of the
-// last batch, which finish() begins, are not done: the owner of such a keeper does what is left, and calls restart()
-// before the next run.
+// thousand, and keeper.do_unit(i, thread) does one of them, in any thread and beside everything else. In each batch
+// that follows visits, keeper.advance() is called once. The units of the last batch, which finish() begins, are not
+// done: the owner of such a keeper does what is left, and calls restart() before the next run.
 //
 // Invariant, when a batch begins: m_last_spans tells where in m_last_logs the windows of the batch before are, which
 // the keeper has not seen.

@@ -27,8 +27,8 @@ namespace internal {
 
 // `Item` has a default constructor; items are reused, so that they keep their memory.
 //
-// Threads: within a batch, one thread at a time adds and takes back, and any threads do units. Nothing else runs beside
-// begin_batch(), finish() and clear().
+// Threads: within a batch, one thread at a time adds, one takes back, and any threads do units. Nothing else runs
+// beside begin_batch(), finish() and clear().
 template <typename Item>
 class Work_in_batches
 {
@@ -49,7 +49,7 @@ public:
   }
 
   // Begins a batch, and returns the number of its units, at most maximum_number_of_units. Requires: the units of the
-  // batch before have been done, and its items have been taken back.
+  // last batch have been done, and take_back() was called since it began, if it had items to take back.
   std::size_t begin_batch()
   {
     CGAL_precondition(m_done.size == 0);
@@ -58,6 +58,7 @@ public:
     return (m_in_work.size + items_per_unit() - 1) / items_per_unit();
   }
 
+  // (A keeper may have a thousand units in a batch, for edges, faces, and a few more: Window_relay.h.)
   static constexpr std::size_t maximum_number_of_units = 450;
 
   // Calls work(item) for the items of a unit.
@@ -65,8 +66,9 @@ public:
   void do_unit(std::size_t unit, Work work)
   {
     const std::size_t first = unit * items_per_unit(), last = (std::min)(first + items_per_unit(), m_in_work.size);
+    Item* const items = m_in_work.items.data(); // (once: other threads write beside m_in_work)
     for(std::size_t i = first; i < last; ++i)
-      work(m_in_work.items[i]);
+      work(items[i]);
   }
 
   // Are there items to take back?
