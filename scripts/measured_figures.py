@@ -22,7 +22,8 @@ CSV_FILES = {
     "face_queries", "isolines", "curves", "directions", "obstacles", "certified_meshes", "growth", "anisotropy",
     "sources", "reach", "rules", "instruction_sets", "schedulers", "flat_vertices", "threads", "phases", "matrix",
     "matrix_store", "rows", "interleaved_rows", "brain", "uses_of_diagrams", "python", "compile_times", "remeshing",
-    "ordinary_case", "small_component", "threads_on_16_cores")}
+    "ordinary_case", "small_component", "threads_on_16_cores",
+    "earlier_version")}
 
 # The picture in the manual -> the results that it shows; draw_plots.py draws it.
 PLOTS = {"plot_ratios.svg": "all_meshes", "plot_growth.svg": "growth"}
@@ -236,6 +237,8 @@ TABLES = {
         "filtered graph / rest: filtered_ratio .2"),
     "ordinary_case": table("ordinary_case", MESH, FACES, "before, ms: before_ms .1", "now, ms: now_ms .1",
         "now / before: time_ratio .2", "instructions now / before: instructions_ratio .3", "same bits: same_bits $"),
+    "earlier_version": table("earlier_version", MESH, FACES, "before, ms: before_ms .1", "now, ms: now_ms .1",
+        "now / before: time_ratio .2"),
     "Voronoi_diagram": table("Voronoi_diagram", MESH, FACES, "sites: sites", "distances, ms: distances_ms",
         "windows all kept, ms: all_kept_ms", "removal, ms: removal_ms", "diagram, ms: diagram_ms",
         "diagram / distances: diagram_over_distances .1", "windows kept: windows_kept", "at once: windows_at_once",
@@ -342,6 +345,9 @@ def figures(results):
             found[f"speedup_{n}_{subdivisions}_elephant"] = f"{speedup:.2f}"
     for mesh in ("elephant", "sphere"):
         found[f"speedup_1_{mesh}"] = f"{values('threads', 'speedup', mesh=mesh + '.off', threads=1)[0]:.2f}"
+    add_range("earlier_ratio", values("earlier_version", "time_ratio", subdivisions=0), "{:.2f}".format)
+    found["earlier_ratio_median"] = f"{statistics.median(values('earlier_version', 'time_ratio', subdivisions=0)):.2f}"
+    found["earlier_ratio_fine"] = f"{values('earlier_version', 'time_ratio', subdivisions=2)[0]:.2f}"
     for n in (8, 16):
         found[f"speedup_{n}_measured"] = f"{values('threads_on_16_cores', 'speedup', threads=n, subdivisions=2)[0]:.1f}"
     add_range("separate_speedup", values("threads", "speedup", threads="2 separate runs"),

@@ -9,6 +9,9 @@ usage()
 usage: compare_revisions.sh [options] REVISION MESH...
   REVISION         the older revision of this repository, as git names it; it is compared with the files that are here
   --repetitions N  pairs of runs of each mesh, in turn, with five calls each (7)
+  --subdivide K    subdivide each mesh K times (0)
+  --no-instructions  do not count instructions, which takes most of the time
+  --no-header      print the rows only
 The variable CXX names the compiler (g++). Needs git, CGAL and valgrind, which counts the instructions.
 END
 }
@@ -16,9 +19,15 @@ END
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 root="$(cd "$here/../.." && pwd)"
 repetitions=7
+subdivisions=0
+counts_instructions=yes
+has_header=yes
 while [ $# -gt 0 ]; do
   case "$1" in
     --repetitions) repetitions="$2"; shift ;;
+    --subdivide) subdivisions="$2"; shift ;;
+    --no-instructions) counts_instructions=no ;;
+    --no-header) has_header=no ;;
     -h | --help) usage; exit 0 ;;
     -*) usage >&2; exit 1 ;;
     *) break ;;
@@ -45,28 +54,36 @@ done
 # instructions VERSION MESH: of one call. A run with two calls has that many more than a run with one.
 instructions()
 {
+  [ "$counts_instructions" = yes ] || return 0
   local n count=()
   for n in 1 2; do
-    valgrind --tool=callgrind --callgrind-out-file=/dev/null "$folder/distances_$1" --repetitions "$n" "$2" \
+    valgrind --tool=callgrind --callgrind-out-file=/dev/null "$folder/distances_$1" --repetitions "$n" \
+      --subdivide "$subdivisions" "$2" \
       > /dev/null 2> "$folder/valgrind.log"
     count+=("$(awk '/Collected/ { print $NF }' "$folder/valgrind.log")")
   done
   echo $((count[1] - count[0]))
 }
 
-echo "# machine: $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1), $(nproc) hardware threads"
-echo "# compiler: $("$compiler" --version | head -n 1), flags: $flags"
-echo "# before: revision $(git -C "$root" rev-parse --short "$revision") of $(git -C "$root" log -1 --format=%as "$revision")"
-echo "# processor times of geodesic_distances() in ms, medians of $repetitions pairs of runs in turn; instructions of one call"
-echo "mesh,faces,before_ms,now_ms,time_ratio,before_instructions,now_instructions,instructions_ratio,same_bits"
+if [ "$has_header" = yes ]; then
+  echo "# machine: $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1), $(nproc) hardware threads"
+  echo "# compiler: $("$compiler" --version | head -n 1), flags: $flags"
+  echo "# before: revision $(git -C "$root" rev-parse --short "$revision")" \
+    "of $(git -C "$root" log -1 --format=%as "$revision")"
+  echo "# processor times of geodesic_distances() in ms, medians of $repetitions pairs of runs in turn;" \
+    "instructions of one call"
+  columns=mesh,subdivisions,faces,before_ms,now_ms,time_ratio
+  echo "$columns,before_instructions,now_instructions,instructions_ratio,same_bits"
+fi
 for mesh in "$@"; do
   : > "$folder/runs"
   for((i = 0; i < repetitions; ++i)); do
-    before="$("$folder/distances_before" "$mesh")"
-    now="$("$folder/distances_now" "$mesh")"
+    before="$("$folder/distances_before" --subdivide "$subdivisions" "$mesh")"
+    now="$("$folder/distances_now" --subdivide "$subdivisions" "$mesh")"
     echo "$before $now" >> "$folder/runs"
   done
-  awk -v mesh="$(basename "$mesh")" -v before="$(instructions before "$mesh")" -v now="$(instructions now "$mesh")" '
+  awk -v mesh="$(basename "$mesh")" -v subdivisions="$subdivisions" \
+    -v before="$(instructions before "$mesh")" -v now="$(instructions now "$mesh")" '
     function median(a, n,   i, j, t) {
       for(i = 2; i <= n; ++i)
         for(j = i; j > 1 && a[j - 1] > a[j]; --j) { t = a[j]; a[j] = a[j - 1]; a[j - 1] = t }
@@ -74,7 +91,8 @@ for mesh in "$@"; do
     }
     { faces = $1; old[NR] = $2 + 0; new[NR] = $5 + 0; ratio[NR] = $5 / $2; if($3 != $6) differs = 1 }
     END {
-      printf "%s,%d,%.3f,%.3f,%.3f,%.0f,%.0f,%.4f,%s\n", mesh, faces, median(old, NR), median(new, NR),
-             median(ratio, NR), before, now, now / before, differs ? "no" : "yes"
+      counts = before == "" ? ",," : sprintf("%.0f,%.0f,%.4f", before, now, now / before)
+      printf "%s,%d,%d,%.3f,%.3f,%.3f,%s,%s\n", mesh, subdivisions, faces, median(old, NR), median(new, NR),
+             median(ratio, NR), counts, differs ? "no" : "yes"
     }' "$folder/runs"
 done
