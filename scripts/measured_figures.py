@@ -22,8 +22,7 @@ CSV_FILES = {
     "face_queries", "isolines", "curves", "directions", "obstacles", "certified_meshes", "growth", "anisotropy",
     "sources", "reach", "rules", "instruction_sets", "schedulers", "flat_vertices", "threads", "phases", "matrix",
     "matrix_store", "rows", "interleaved_rows", "brain", "uses_of_diagrams", "python", "compile_times", "remeshing",
-    "ordinary_case", "small_component", "threads_on_16_cores",
-    "earlier_version")}
+    "ordinary_case", "small_component", "earlier_version")}
 
 # The picture in the manual -> the results that it shows; draw_plots.py draws it.
 PLOTS = {"plot_ratios.svg": "all_meshes", "plot_growth.svg": "growth"}
@@ -284,8 +283,6 @@ TABLES = {
         "source elsewhere, ms: large_ms ±", "source on the component, ms: small_ms ±",
         "the component alone, ms: alone_ms .3", "original, ms: original_ms ±", "original / ours: ratio .1"),
     "threads": table("threads", MESH, FACES, "threads: threads $", "call, ms: call_ms ±", "speedup: speedup ~"),
-    "threads_on_16_cores": table("threads_on_16_cores", MESH, FACES, "threads: threads $", "call, ms: call_ms ±",
-        "speedup: speedup ~"),
     "phases": table("phases", MESH, FACES, "run, ms: run_ms ~", "serial share: serial_share .3",
         "2 threads: predicted_2 ~", "4: predicted_4 ~", "8: predicted_8 ~", "16: predicted_16 ~",
         "64: predicted_64 ~"),
@@ -348,10 +345,7 @@ def figures(results):
     add_range("earlier_ratio", values("earlier_version", "time_ratio", subdivisions=0), "{:.2f}".format)
     found["earlier_ratio_median"] = f"{statistics.median(values('earlier_version', 'time_ratio', subdivisions=0)):.2f}"
     found["earlier_ratio_fine"] = f"{values('earlier_version', 'time_ratio', subdivisions=2)[0]:.2f}"
-    for n in (8, 16):
-        found[f"speedup_{n}_measured"] = f"{values('threads_on_16_cores', 'speedup', threads=n, subdivisions=2)[0]:.1f}"
-    add_range("separate_speedup", values("threads", "speedup", threads="2 separate runs"),
-              "{:.1f}".format)
+    add_range("separate_speedup", values("threads", "speedup", threads="2 separate runs"), "{:.1f}".format)
     for n in (8, 16):
         found[f"speedup_{n}_predicted"] = f"{values('phases', f'predicted_{n}', subdivisions=2)[0]:.1f}"
     for name, numbers_of_sites in (("few", (30,)), ("many", (1000, 2000))):

@@ -317,7 +317,8 @@ std::vector<double> numbers_of(const Complex& complex)
   return numbers;
 }
 
-// The same arcs and nodes in an order that does not depend on that of the faces.
+// The same arcs and nodes in an order that does not depend on that of the faces. (The distance of a node on an edge is
+// measured in the face that comes last, so it is left out.)
 std::vector<std::vector<double>> sorted_numbers_of(const Complex& complex)
 {
   std::vector<std::vector<double>> numbers;
@@ -328,7 +329,8 @@ std::vector<std::vector<double>> sorted_numbers_of(const Complex& complex)
   }
   for(const auto& n : complex.nodes())
   {
-    numbers.push_back({n.abscissa}); // the distance may have been measured in another face
+    numbers.push_back({static_cast<double>(n.face), n.point.x, n.point.y, n.abscissa, static_cast<double>(n.sites[0]),
+                       static_cast<double>(n.sites[1]), static_cast<double>(n.sites[2])});
   }
   numbers.push_back({static_cast<double>(complex.chains().size()), static_cast<double>(complex.number_of_joints())});
   std::sort(numbers.begin(), numbers.end());
@@ -386,8 +388,8 @@ void threads_do_not_change_the_complex(const Intrinsic_mesh& mesh, const Sources
     Parallel<std::decay_t<decltype(keeper)>> run_of_diagram(mesh, found_field, std::size_t(16), Thread_team(number),
                                                             keeper);
     run(run_of_diagram, sources);
-    CHECK(keeper.memory() > 0 || expected.arcs().empty() || mesh.number_of_faces() < 10);
     diagram.finish();
+    CHECK(keeper.memory() > 0 || expected.arcs().empty());
     CHECK(sorted_numbers_of(found) == sorted_numbers_of(expected));
     first = first.empty() ? numbers_of(found) : first;
     CHECK(numbers_of(found) == first);

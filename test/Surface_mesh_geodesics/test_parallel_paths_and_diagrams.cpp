@@ -3,12 +3,12 @@
 
 #include "Voronoi_sites.h"
 #include "expected_exceptions.h"
+#include "impatient_visitor.h"
 #include "path_test_helpers.h"
 #include "test_meshes.h"
 #include "test_support.h"
 #include "with_threads.h"
 
-#include <CGAL/Surface_mesh_geodesics/Geodesic_default_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_Voronoi_diagram.h>
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_paths.h>
 #include <CGAL/Surface_mesh_geodesics/certify_geodesic_Voronoi_diagram.h>
@@ -238,10 +238,8 @@ double threads_do_not_change_the_diagrams(const Mesh& tm, double largest_weight,
 
 // --- visitors, invalid input, queries from threads ---
 
-struct Visitor : SMG::Geodesic_default_visitor
+struct Visitor : Impatient_visitor
 {
-  std::size_t steps_left = 0;
-  bool throws = false;
   std::size_t begins = 0, ends = 0;
   double reached = -infinity;
 
@@ -251,12 +249,7 @@ struct Visitor : SMG::Geodesic_default_visitor
   {
     CHECK(distance >= reached);
     reached = distance;
-    if(throws && steps_left == 0)
-    {
-      throw std::range_error("thrown by the visitor");
-    }
   }
-  bool go_further() { return steps_left == 0 ? false : (--steps_left, true); }
 };
 
 // Builds with visitors that cancel or throw, and with one that does neither. is_built() tells whether the object that

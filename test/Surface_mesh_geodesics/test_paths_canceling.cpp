@@ -2,6 +2,7 @@
 // query computes what is missing.
 
 #include "expected_exceptions.h"
+#include "impatient_visitor.h"
 #include "path_test_helpers.h"
 #include "test_meshes.h"
 #include "test_support.h"
@@ -19,9 +20,8 @@ using namespace test_meshes;
 
 namespace {
 
-struct Canceling_visitor : CGAL::Surface_mesh_geodesics::Geodesic_default_visitor
+struct Canceling_visitor : Impatient_visitor
 {
-  std::size_t steps_left = 0;
   std::size_t begins = 0, ends = 0, vertices_announced = 0;
   double distance_reached = 0.;
 
@@ -35,7 +35,6 @@ struct Canceling_visitor : CGAL::Surface_mesh_geodesics::Geodesic_default_visito
     CHECK(distance >= distance_reached);
     distance_reached = distance;
   }
-  bool go_further() { return steps_left == 0 ? false : (--steps_left, true); }
   void on_propagation_end() { ++ends; }
 };
 

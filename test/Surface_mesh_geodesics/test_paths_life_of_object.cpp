@@ -3,11 +3,11 @@
 // the same answer to every query, and so does a const reference to the object.
 
 #include "expected_exceptions.h"
+#include "impatient_visitor.h"
 #include "path_test_helpers.h"
 #include "test_meshes.h"
 #include "test_support.h"
 
-#include <CGAL/Surface_mesh_geodesics/Geodesic_default_visitor.h>
 
 #include <algorithm>
 #include <iterator>
@@ -26,14 +26,6 @@ struct Known_source
 {
   Surface_point point;
   Geodesic_paths::Source_point_iterator iterator;
-};
-
-struct Impatient_visitor : CGAL::Surface_mesh_geodesics::Geodesic_default_visitor
-{
-  std::size_t steps_left;
-
-  explicit Impatient_visitor(std::size_t steps) : steps_left(steps) {}
-  bool go_further() { return steps_left == 0 ? false : (--steps_left, true); }
 };
 
 class Life
@@ -201,7 +193,8 @@ private:
 
   void cancel()
   {
-    Impatient_visitor visitor(m_random.index(3));
+    Impatient_visitor visitor;
+    visitor.steps_left = m_random.index(3);
     const bool had_changed = m_paths.changed_since_last_build();
     const bool is_complete = m_random.index(2) == 0 ? m_paths.build_sequence_tree(visitor)
                                                     : m_paths.build_sequence_tree_for_faces(visitor);

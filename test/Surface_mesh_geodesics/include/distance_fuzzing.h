@@ -359,11 +359,13 @@ inline void certify(const Distance_case& c, const Input& input, Findings& findin
   }
 }
 
+#ifdef CGAL_LINKED_WITH_TBB
+
 // Compares the distances with those that several threads compute, which stay in the input.
 inline void compare_with_threads(const Distance_case& c, Input& input, Findings& findings)
 {
   const std::vector<double> expected = values_at_vertices(input.tm, input.distance);
-  input.compute<CGAL::Parallel_if_available_tag>();
+  input.compute<CGAL::Parallel_tag>();
   const double extent = static_cast<double>(c.sources.size()) * extent_of(c);
   for(std::size_t v = 0; v < expected.size(); ++v)
   {
@@ -373,6 +375,8 @@ inline void compare_with_threads(const Distance_case& c, Input& input, Findings&
     }
   }
 }
+
+#endif // CGAL_LINKED_WITH_TBB
 
 inline Findings examine(const Distance_case& c)
 {
@@ -385,7 +389,9 @@ inline Findings examine(const Distance_case& c)
       input.compute<CGAL::Sequential_tag>();
       certify(c, input, findings);
       compare_with_referee(c, input, findings);
+#ifdef CGAL_LINKED_WITH_TBB
       compare_with_threads(c, input, findings);
+#endif
     }
     catch(const std::exception& e)
     {

@@ -70,7 +70,7 @@ namespace internal {
 // finish() returns, and no windows are left; owners() may be called then. Time: linear in the number of windows that
 // enter faces, plus for each divided edge what Edge_partition takes.
 //
-// One thread at a time may call an object; do_unit() only may run beside other calls, of itself too. An object reads
+// One thread at a time may call an object, except for do_unit(), which any threads may call meanwhile. An object reads
 // the mesh and the distances, and writes neither.
 //
 // Invariants:

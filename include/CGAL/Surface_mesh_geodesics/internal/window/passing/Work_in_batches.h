@@ -66,7 +66,7 @@ public:
   void do_unit(std::size_t unit, Work work)
   {
     const std::size_t first = unit * items_per_unit(), last = (std::min)(first + items_per_unit(), m_in_work.size);
-    Item* const items = m_in_work.items.data(); // (once: other threads write beside m_in_work)
+    Item* const items = m_in_work.items.data(); // (read once: other threads write to memory beside m_in_work)
     for(std::size_t i = first; i < last; ++i)
       work(items[i]);
   }
