@@ -29,7 +29,8 @@ fuzz()
     configure "$root/build/all" ""
     cmake --build "$root/build/all" --parallel "$jobs"
   fi
-  for program in fuzz_distances fuzz_curves fuzz_Voronoi fuzz_paths_near_vertices fuzz_paths_on_hostile_meshes; do
+  for program in fuzz_distances fuzz_curves fuzz_Voronoi fuzz_Voronoi_on_lattices fuzz_paths_near_vertices \
+    fuzz_paths_on_hostile_meshes; do
     echo "$program 1000 $seed"
     (cd "$folder" && "./$program" 1000 "$seed")
   done

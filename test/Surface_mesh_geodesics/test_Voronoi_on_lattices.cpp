@@ -3,83 +3,20 @@
 // or meet four at a time; weights are often the distance of two ends, so that bisectors are rays. The distances from
 // segments in the plane tell which site is nearest.
 
-#include "Voronoi_test_helpers.h"
-#include "curve_cases.h"
-#include "curves_in_plane.h"
-#include "lattice_curves.h"
+#include "lattice_diagrams.h"
 
 #include <CGAL/Surface_mesh_geodesics/certify_geodesic_Voronoi_diagram.h>
 
-#include <CGAL/Polygon_mesh_processing/locate.h>
-
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <string>
 #include <vector>
 
-using namespace curve_cases;
-using namespace lattice_curves;
+using namespace lattice_diagrams;
 
 namespace {
-
-// What the cases of a run have in common. The lattice divides each edge of a face into this number of parts; with a
-// jitter, the vertices of the grid are not on a lattice themselves.
-struct Lattice
-{
-  std::size_t parts;
-  double jitter;
-  bool has_weights;
-  std::size_t most_points = 3; // of a curve
-};
-
-Point_2 point(const Mesh& tm, const Location& l)
-{
-  const auto p = CGAL::Polygon_mesh_processing::construct_point(l, tm);
-  return {p.x(), p.y()};
-}
-
-double distance_from(const Mesh& tm, const std::vector<Location>& curve, const Point_2& p)
-{
-  double smallest = distance_to_segment(p, point(tm, curve.front()), point(tm, curve.front()));
-  for(std::size_t i = 1; i < curve.size(); ++i)
-    smallest = std::min(smallest, distance_to_segment(p, point(tm, curve[i - 1]), point(tm, curve[i])));
-  return smallest;
-}
-
-// Sites on the grid, most of them in one face.
-struct Sites
-{
-  std::vector<std::vector<Location>> curves;
-  std::vector<double> weights;
-};
-
-double lattice_weight(const Mesh& tm, const Lattice& lattice, const Sites& sites, std::size_t i,
-                      test_support::Random& random)
-{
-  const std::size_t kind = lattice.has_weights ? random.index(4) : 0;
-  if(kind == 0)
-    return 0;
-  if(kind == 1)
-    return static_cast<double>(random.index(4)) / static_cast<double>(lattice.parts);
-  const std::vector<Location>&first = sites.curves[0], &curve = sites.curves[i];
-  const Point_2 p = point(tm, first[random.index(first.size())]);
-  const Point_2 q = point(tm, curve[random.index(curve.size())]);
-  const double d = std::hypot(p[0] - q[0], p[1] - q[1]);
-  return kind == 2 ? d : -d;
-}
-
-Sites random_sites(const Mesh& tm, const Lattice& lattice, test_support::Random& random)
-{
-  Sites sites{random_curves(tm, lattice.parts, lattice.most_points, random), {}};
-  const std::size_t n = sites.curves.size();
-  sites.weights.assign(n, 0.);
-  for(std::size_t i = 1; i < n; ++i)
-    sites.weights[i] = lattice_weight(tm, lattice, sites, i, random);
-  return sites;
-}
 
 // No site is nearer to a point than the one that the diagram names (for_each_query()).
 void check_nearest_sites(const Mesh& tm, const Sites& sites, const Voronoi& diagram, test_support::Random& random)
@@ -99,14 +36,10 @@ void check_nearest_sites(const Mesh& tm, const Sites& sites, const Voronoi& diag
 void check_case(const Lattice& lattice, std::uint64_t seed, bool is_to_be_certified = false)
 {
   const test_support::Scope scope("lattice of " + std::to_string(lattice.parts) + ", seed " + std::to_string(seed));
-  test_support::Random random(seed);
-  const std::size_t n = 3 + random.index(2);
-  const Mesh tm = to_face_graph(flat_patch(n, 3, lattice.jitter, true, seed % 7));
-  const Sites sites = random_sites(tm, lattice, random);
-  Voronoi diagram(tm);
-  for(std::size_t i = 0; i < sites.curves.size(); ++i)
-    diagram.add_site(Curve(tm, sites.curves[i]), sites.weights[i]);
-  check_nearest_sites(tm, sites, diagram, random);
+  Lattice_case c(lattice, seed);
+  Voronoi diagram(c.mesh);
+  c.add_sites_to(diagram);
+  check_nearest_sites(c.mesh, c.sites, diagram, c.random);
   if(is_to_be_certified)
     CHECK(CGAL::Surface_mesh_geodesics::certify_geodesic_Voronoi_diagram(diagram).is_certified());
 }
@@ -125,6 +58,10 @@ void certified_cases()
     check_case(Lattice{4, 0., false}, seed, true);
   check_case(Lattice{3, 0., true, 4}, 6134, true);   // distances as small as the rounding of rays
   check_case(Lattice{2, 0., true}, 39994, true);     // a vertex of the diagram on a ray
+  for(const unsigned int seed : {22298u, 33726u})    // weights that differ by a distance: sites tie on one ray
+    check_case(Lattice{2, 0., true}, seed, true);
+  for(const unsigned int seed : {11242u, 25584u, 33023u, 37513u}) // the same, in thirds
+    check_case(Lattice{3, 0., true, 4}, seed, true);
 }
 
 void random_cases()

@@ -341,6 +341,67 @@ void images_that_nearly_touch_the_edge(test_support::Random& random)
   CHECK(worst <= 64 * epsilon);
 }
 
+// Divides an edge of length 1 between two sites, which own its ends. Returns the abscissa where the first cell ends.
+double end_of_first_cell(const Image& c, const Image& g)
+{
+  Partition p;
+  p.start(1., c.site, c.distance_at(0.), g.site, g.distance_at(1.));
+  p.add(c);
+  p.add(g);
+  p.build();
+  CHECK_EQUAL(p.breakpoints().size(), std::size_t(1));
+  return p.breakpoints().front().x;
+}
+
+// The path from site 3 leads through site 2 if it runs along one ray, which meets the edge in its first end. That point
+// belongs to site 2, which has no other point of the edge.
+void a_cell_that_is_a_point_ends_there(test_support::Random& random)
+{
+  for(std::size_t i = 0; i < 2000; ++i)
+  {
+    const double angle = random.uniform(.2, 2.9), r = random.uniform(.01, 1.), s = r + random.uniform(.01, 1.);
+    const Image c{0., 1., r * std::cos(angle), r * std::sin(angle), s - r, 2};
+    const Image g{0., 1., s * std::cos(angle), s * std::sin(angle), 0., 3};
+    CHECK(end_of_first_cell(c, g) <= 512 * epsilon);
+  }
+}
+
+// Two sites tie where the interval of one of them begins, and once more a bit farther on; the other one is nearer in
+// between.
+void a_short_part_between_two_ties(test_support::Random& random)
+{
+  for(std::size_t i = 0; i < 2000; ++i)
+  {
+    const double angle = random.uniform(.3, 1.2), r = random.uniform(.1, .5), s = r + random.uniform(.1, .5);
+    const double middle = random.uniform(.2, .8), half = random.uniform(1e-4, 4e-4);
+    const auto image = [&](double way, double weight, internal::Vertex_id site)
+    { return Image{0., 1., middle + way * std::cos(angle), way * std::sin(angle), weight, site}; };
+    const Image c = image(r, s, 2);
+    Image g = image(s, 0., 3);
+    g.weight = c.distance_at(middle + half) - g.distance_at(middle + half);
+    double nearer = middle - 2 * half;
+    g.begin = middle;
+    for(int step = 0; step < 60; ++step)
+    {
+      const double x = (nearer + g.begin) / 2;
+      (g.distance_at(x) < c.distance_at(x) ? nearer : g.begin) = x;
+    }
+    CHECK_NEAR(end_of_first_cell(c, g), middle + half, 1e-9);
+  }
+}
+
+// The bisector of two sites that nearly coincide crosses the edge. Their distances tie from the beginning to the
+// crossing, up to rounding, but one cell does not end in a point.
+void two_sites_that_nearly_coincide(test_support::Random& random)
+{
+  for(std::size_t i = 0; i < 2000; ++i)
+  {
+    const double crossing = random.uniform(7e-4, 9e-4), depth = random.uniform(.3, .6), shift = 2e-13;
+    const Image c{0., 1., crossing - shift, depth, 0., 2}, g{0., 1., crossing + shift, depth, 0., 3};
+    CHECK_NEAR(end_of_first_cell(c, g), crossing, 4e-4);
+  }
+}
+
 void an_image_that_ties_does_not_take_over(test_support::Random& random)
 {
   for(std::size_t i = 0; i < 2000; ++i)
@@ -395,6 +456,9 @@ int main()
   nearer_distances_are_in_a_strict_order(random);
   the_nearest_image_takes_over(random);
   images_that_nearly_touch_the_edge(random);
+  a_cell_that_is_a_point_ends_there(random);
+  a_short_part_between_two_ties(random);
+  two_sites_that_nearly_coincide(random);
   an_image_that_ties_does_not_take_over(random);
   edges_obey_symmetries(random);
   return test_support::test_result();

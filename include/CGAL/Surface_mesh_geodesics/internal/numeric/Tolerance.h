@@ -237,6 +237,11 @@ struct Tolerance
   // rounding.
   static FT touching() { return 64 * closeness(); }
 
+  // Relative to the length of an edge: if two distances tie up to rounding along a part that is not longer, and one is
+  // nearer behind it, that one has the part as well. Where they part slowly, the position at which they touch is known
+  // less exactly than touching().
+  static FT tied_part() { return FT(1) / 1024; }
+
   // Relative to the size of a face: ends of curves that are nearer to each other may be meant to be one point. A
   // question for a more careful look only: no result depends on its size.
   static FT near_end() { return FT(1) / 1024; }

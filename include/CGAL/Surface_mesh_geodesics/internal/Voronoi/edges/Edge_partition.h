@@ -21,8 +21,9 @@
 // Formula: the distance by an image is weight + |(x - image_x, depth)| in the frame of a halfedge, where x is the
 // abscissa. Two of them are equal at the roots of a quadratic equation (equal_points()), refined by Newton's method.
 // Ties: an image takes over only where it is nearer beyond rounding, is_nearer(). So where two sites tie along a part
-// of the edge, the one whose interval comes first keeps it. Of two candidates at the same abscissa, the one
-// whose distance grows more slowly takes over; if their slopes are equal, the one added first.
+// of the edge, the one whose interval comes first keeps it, unless it ends in a point there (does_touch()). Of two
+// candidates at the same abscissa, the one whose distance grows more slowly takes over; if their slopes are equal, the
+// one added first.
 // Error: the distances at a breakpoint are equal up to their rounding. No bound is known for its abscissa, as the two
 // distances may touch; cells narrower than Tolerance::interval() times the length are dropped.
 
@@ -305,10 +306,10 @@ private:
   // both distances at the middle, and at last at the foot of g. Ties: an image that ties does not take over.
   //
   // Error: if the result is true, g is nearer than c at some abscissa by 23 u of the distance of c, as is_nearer()
-  // says; u = epsilon() / 2. `start` is a root after two steps of Newton's method, or the result of a bisection; no
-  // bound is known for it where both distances touch. An interval in which g is nearer may be missed if the roots at
-  // both ends of it are close: they are known up to the square root of rounding, and so the distances differ by little
-  // there.
+  // says; u = epsilon() / 2. `start` is a root after two steps of Newton's method, the result of a bisection, or where
+  // both intervals begin (does_touch()); no bound is known for it where both distances touch. An interval in which g is
+  // nearer may be missed if the roots at both ends of it are close: they are known up to the square root of rounding,
+  // and so the distances differ by little there.
   //
   // Laws: no image takes over from itself. Scaling all lengths by a power of two scales `start` exactly. The mirror
   // image divides the edge at the mirror images, up to rounding. (g and c may each take over from the other,
@@ -367,17 +368,48 @@ private:
     if(!(from > first) && !(g.distance_at(from) > c.distance_at(from)))
       return from;
     const FT equal = polished(g, c, from), start = equal >= first && equal <= last ? equal : from;
-    return m_has_rays && does_touch(g, c, first, start) ? first : start;
+    return does_touch(g, c, first, start) ? first : start;
   }
 
   // Do the distances by g and c tie from one abscissa to another, where g is known to become nearer? Distances that
-  // touch are equal at a double root, which is known up to the square root of rounding. It happens beside curves: a
-  // strip takes over from paths around its end, whose distances touch its own on the last ray.
+  // touch are equal at a double root, which is known up to the square root of rounding, or less if they part slowly.
+  //
+  // - Beside curves, a strip takes over from paths around its end, whose distances touch its own on the last ray.
+  // - If the weights of two sites differ by their distance, they tie on one ray, and one of them has no other point
+  //   there. Then it is not nearer farther away on the line of the edge. (A way that is not longer than width() is left
+  //   alone: a simple root is known that exactly, and g may have been left less than width() before, and would
+  //   alternate with c. Images of one site may tie along a ray: each has a cone of its own.)
+  //
+  // Formula: c is nearer than g by most at one of the two abscissas, next to one of the images, or where the slopes of
+  // both distances are equal.
   bool does_touch(const Image& g, const Image& c, const FT& from, const FT& to) const
   {
+    const FT way = to - from;
+    const bool is_last_ray = m_has_rays && way <= Tolerance<FT>::touching() * m_length;
+    if(!is_last_ray && (g.site == c.site || way <= width() || way > Tolerance<FT>::tied_part() * m_length))
+      return false;
     const auto is_before = [&](const FT& x)
     { return is_nearer<FT>(c.distance_at(x) + rounding_of_rays(), g.distance_at(x)); };
-    return to - from <= Tolerance<FT>::touching() * m_length && !is_before(from) && !is_before(from + (to - from) / 2);
+    const std::array<FT, 4> places{from, foot_of(g, from, to), foot_of(c, from, to),
+                                   (std::min)((std::max)(from, equal_slopes(g, c, from)), to)};
+    return std::none_of(places.begin(), places.end(), is_before) && (is_last_ray || !is_before(from - m_length));
+  }
+
+  // Returns the abscissa where the distances by two images have the same slope, or `otherwise` if there is none, or
+  // more than one. Seen from there, both images are in the same direction.
+  static FT equal_slopes(const Image& g, const Image& c, const FT& otherwise)
+  {
+    using std::sqrt;
+    if(g.is_at_infinity && c.is_at_infinity)
+      return otherwise;
+    if(c.is_at_infinity)
+      return equal_slopes(c, g, otherwise);
+    if(g.is_at_infinity)
+    {
+      const FT square = (1 - g.image_x) * (1 + g.image_x);
+      return square > 0 ? FT(c.image_x + c.depth * (g.image_x / sqrt(square))) : otherwise;
+    }
+    return g.depth != c.depth ? FT((g.image_x * c.depth - c.image_x * g.depth) / (c.depth - g.depth)) : otherwise;
   }
 
   // Returns the abscissa where g becomes nearer than c, by bisection; `from` if c is not nearer there.
