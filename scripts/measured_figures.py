@@ -22,7 +22,7 @@ CSV_FILES = {
     "face_queries", "isolines", "curves", "directions", "obstacles", "certified_meshes", "growth", "anisotropy",
     "sources", "reach", "rules", "instruction_sets", "schedulers", "flat_vertices", "threads", "phases", "matrix",
     "matrix_store", "rows", "interleaved_rows", "brain", "uses_of_diagrams", "python", "compile_times", "remeshing",
-    "ordinary_case", "small_component", "earlier_version")}
+    "ordinary_case", "small_component", "earlier_version", "short_lists")}
 
 # The picture in the manual -> the results that it shows; draw_plots.py draws it.
 PLOTS = {"plot_ratios.svg": "all_meshes", "plot_growth.svg": "growth"}
@@ -225,7 +225,8 @@ TABLES = {
         "memory: on_the_way_memory_ratio .2"),
     "curves": table("curves", MESH, FACES, "border edges: border_vertices", "from curves, ms: curves_ms",
         "from vertices, ms: vertices_ms", "ratio: ratio .2", "windows and strips: curve_windows",
-        "windows: vertex_windows", "memory, ratio: memory_ratio .2"),
+        "windows: vertex_windows", "their memory, ratio: memory_ratio .2",
+        "memory of the call, ratio: call_memory_ratio .2"),
     "directions": table("directions", MESH, FACES, "distances, ms: distances_ms .1",
         "distances for paths, ms: build_ms .1", "directions, ms: directions_ms .1",
         "directions / distances: directions_ratio .2", "both / distances: both_ratio .2"),
@@ -255,7 +256,8 @@ TABLES = {
         ("windows per face", lambda row: plain(float(row["windows_propagated"]) / float(row["faces"]), 1)),
         "ns per window: ns_per_window"),
     "growth": table("growth", MESH, FACES, "reading, ms: read_ms ~",
-        ("reading, ns per face", lambda row: plain(nanoseconds_per_face(row), 0)), "run without reading, ms: run_ms ~",
+        ("reading, ns per face", lambda row: plain(nanoseconds_per_face(row), 0)),
+        "reading, speedup by two threads: reading_speedup ~", "run without reading, ms: run_ms ~",
         ("part of reading, %", lambda row: plain(100 * float(row["read_share"]), 0)),
         "windows per face: windows_per_face .1", "ns per window: ns_per_window .1",
         "mesh, bytes per face: mesh_bytes_per_face", "windows at once, MB: window_mb ~"),
@@ -264,6 +266,8 @@ TABLES = {
         "ns per window: ns_per_window .1"),
     "sources": table("sources", "sources: sources $", "run, ms: run_ms ~", "windows: windows",
         "ns per window: ns_per_window"),
+    "short_lists": table("short_lists", MESH, FACES, "windows: windows", "lists: lists",
+        "instructions of a list: instructions_per_list"),
     "reach": table("reach", ("mesh, faces", lambda row: f"{row['mesh'].rsplit('.', 1)[0]}, {plain(row['faces'], 0)}"),
         "end of the run: end $", "part of the largest distance: part_of_largest_distance $", "run, ms: run_ms ~",
         "vertices reached: vertices_reached", "windows: windows", f"{MICROSECONDS} per vertex: us_per_vertex ~",
@@ -352,6 +356,8 @@ def figures(results):
         for figure, key in ((f"diagram_{name}", "diagram_over_distances"), (f"diagram_{name}_threads", "speedup")):
             add_range(figure, [x for n in numbers_of_sites for x in values("uses_of_diagrams", key, sites=n)],
                       "{:.1f}".format)
+    found["two_windows_armadillo"] = plain(
+        values("short_lists", "instructions_per_list", mesh="armadillo.off", windows=2)[0])
     add_range("curve_ratio", values("curves", "ratio"), "{:.1f}".format)
     found["compile_ratio"] = f"{values('compile_times', 'ratio', program='drop_in_shortest_paths')[0]:.1f}"
     for ratio in ("time_ratio", "memory_ratio"):

@@ -70,6 +70,7 @@ OWNERS = INTERNAL + "Voronoi/edges/Vertex_owners.h"
 ENTERING = INTERNAL + "window/passing/entering_windows.h"
 PASSED = INTERNAL + "window/passing/Passed_faces.h"
 RELAY = INTERNAL + "propagation/parallel/Window_relay.h"
+BY_SIZE = INTERNAL + "propagation/parallel/Propagation_by_size.h"
 WINDOW_FIELD = INTERNAL + "window/Edge_window_field.h"
 RADIX_HEAP = INTERNAL + "numeric/Radix_heap.h"
 SINGLE_PRECISION = INTERNAL + "numeric/single_precision.h"
@@ -574,6 +575,12 @@ MUTANTS = [
     ("deferred_vertices_lost", PARALLEL,
      "      push(q.vertex, q.key, part, worker);\n      return;", "      return;",
      "vertices next to one that is visited are never visited", (PARALLEL_TEST,)),
+    ("batches_on_small_meshes", BY_SIZE,
+     "m_mesh.number_of_faces() < smallest_shared_mesh", "false",
+     "the parallel tag is slower than the sequential one on small meshes", (PARALLEL_TEST,)),
+    ("two_propagations_write_the_distances", BY_SIZE,
+     "    other.reset();\n", "",
+     "a mesh that has become small is computed by the propagation for large ones", (PARALLEL_TEST,)),
     ("parallel_end_too_early", PART,
      "m_nearest_key = m_batch.empty() ? m_queue.nearest_key() : m_batch.front().key;\n    m_farthest_key = 0;",
      "m_nearest_key = m_queue.nearest_key();\n    m_farthest_key = 0;\n    if(m_nearest_key > 0)\n      return;",
@@ -1405,8 +1412,20 @@ MUTANTS = [
      "distance_around(left(p) < 0 ? left_end : right_end, p)",
      "paths from a point on the line of its interval bend at the wrong end", (POLYHEDRA,)),
     ("touching_distances_by_root", EDGE_PARTITION,
-     "return m_has_rays && does_touch(g, c, first, start) ? first : start;", "return start;",
-     "beside a curve, a cell begins at the rounding of a double root", (POLYHEDRA,)),
+     "return does_touch(g, c, first, start) ? first : start;", "return start;",
+     "a cell begins at the rounding of a double root", (FACE_LAWS, POLYHEDRA)),
+    ("touching_distances_beside_curves_only", EDGE_PARTITION,
+     "if(!is_last_ray && (g.site", "if(!is_last_ray || (g.site",
+     "a cell that is a point gets a width where no strip reaches the edge", (FACE_LAWS, LATTICES)),
+    ("touching_distances_of_one_site", EDGE_PARTITION,
+     "(g.site == c.site || way <= width()", "(way <= width()",
+     "an image loses its interval to another one of its site on the same ray, and its cone with it", (CROWDED,)),
+    ("crossings_touch", EDGE_PARTITION,
+     " && (is_last_ray || !is_before(from - m_length))", "",
+     "two sites that nearly coincide divide an edge far from their bisector", (FACE_LAWS,)),
+    ("touching_where_slopes_are_equal", EDGE_PARTITION,
+     "(std::min)((std::max)(from, equal_slopes(g, c, from)), to)", "from",
+     "a nearer image between two abscissas at which it ties loses the part between them", (FACE_LAWS,)),
     ("rays_are_not_cut", FRONT_COMPLETION,
      "      i = f.piece_to(v, m_images.width());\n", "      return false;\n",
      "a front along a ray goes on behind a vertex of the diagram", (LATTICES,)),

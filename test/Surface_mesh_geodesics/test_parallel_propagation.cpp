@@ -5,6 +5,7 @@
 #include "expected_exceptions.h"
 #include "impatient_visitor.h"
 #include "intrinsic_mesh_helpers.h"
+#include "several_threads.h"
 #include "test_meshes.h"
 #include "test_support.h"
 #include "thread_team.h"
@@ -307,9 +308,41 @@ void memory_does_not_grow_from_run_to_run()
   CHECK(greatest < 10 * first + (std::size_t(1) << 20));
 }
 
+// With the parallel tag, one thread computes on a small mesh, as with the sequential tag. A source in a face adds
+// faces, and may make the mesh large enough for several threads.
+void small_meshes_are_left_to_one_thread(std::uint64_t seed)
+{
+  test_support::Scope scope("small meshes");
+  const Mesh tm = to_face_graph(flat_patch(90, 91, .2, true, seed));
+  using Choice = internal::Propagation_by_size<double, internal::All_pruning_rules, internal::Calling_thread>;
+  const std::size_t smallest = Choice::smallest_shared_mesh;
+  CHECK(num_faces(tm) < smallest && num_faces(tm) + 6 >= smallest);
+  const auto location = [&](std::size_t f) { return Face_location(face_descriptor(f), {.2, .3, .5}); };
+  const std::vector<Face_location> three{location(10), location(5000), location(12000)};
+  const std::vector<double> from_vertex = distances(tm, vertex(3)), from_faces = distances(tm, three);
+  SMG::Geodesic_distance_solver<Mesh, test_support::Propagation_of_size> solver(tm);
+  SMG::Geodesic_distance_solver<Mesh> sequential_solver(tm);
+  const auto visits = [](auto& s)
+  {
+    SMG::Propagation_statistics statistics;
+    CHECK(s.compute_distances(vertex(3), CGAL::parameters::statistics(&statistics)));
+    return statistics.vertices_visited;
+  };
+  for(std::size_t i = 0; i < 2; ++i)
+  {
+    CHECK_EQUAL(visits(solver), visits(sequential_solver)); // batches have more
+    for(const vertex_descriptor v : vertices(tm))
+      CHECK_EQUAL(solver.distance(v), from_vertex[std::size_t(v)]);
+    CHECK(solver.compute_distances(three));
+    for(const vertex_descriptor v : vertices(tm))
+      CHECK_CLOSE(solver.distance(v), from_faces[std::size_t(v)], 1e-13);
+  }
+}
+
 #ifdef CGAL_LINKED_WITH_TBB
 
 // The public functions with TBB, with sources in faces and nearest sources.
+template <class Tag>
 void public_functions_agree_with_sequential_ones(std::uint64_t seed, test_support::Random& random)
 {
   test_support::Scope scope("public functions");
@@ -322,10 +355,10 @@ void public_functions_agree_with_sequential_ones(std::uint64_t seed, test_suppor
     with_threads(number_of_threads,
                  [&]()
                  {
-                   const std::vector<double> found = tagged_distances<CGAL::Parallel_tag>(tm, sources);
+                   const std::vector<double> found = tagged_distances<Tag>(tm, sources);
                    first = first.empty() ? found : first;
                    CHECK(found == first);
-                   SMG::Geodesic_distance_solver<Mesh, CGAL::Parallel_tag> solver(tm);
+                   SMG::Geodesic_distance_solver<Mesh, Tag> solver(tm);
                    for(std::size_t i = 0; i < 3; ++i)
                    {
                      CHECK(solver.compute_distance(vertex(1), vertex(30)) > 0);
@@ -342,6 +375,7 @@ void public_functions_agree_with_sequential_ones(std::uint64_t seed, test_suppor
 }
 
 // With a radius or targets, several threads find the distances that one finds.
+template <class Tag>
 void limits_hold_with_threads(std::uint64_t seed)
 {
   test_support::Scope scope("limits");
@@ -355,9 +389,9 @@ void limits_hold_with_threads(std::uint64_t seed)
   {
     with_threads(number_of_threads, [&]
     {
-      CHECK_FIELDS_CLOSE(tagged_distances<CGAL::Parallel_tag>(tm, vertex(3), within_radius), expected_within, 1e-13);
-      const std::vector<double> found = tagged_distances<CGAL::Parallel_tag>(tm, vertex(3), to_targets);
-      SMG::Geodesic_distance_solver<Mesh, CGAL::Parallel_tag> solver(tm);
+      CHECK_FIELDS_CLOSE(tagged_distances<Tag>(tm, vertex(3), within_radius), expected_within, 1e-13);
+      const std::vector<double> found = tagged_distances<Tag>(tm, vertex(3), to_targets);
+      SMG::Geodesic_distance_solver<Mesh, Tag> solver(tm);
       solver.compute_distances(vertex(3), parameters_of(within_radius));
       std::vector<double> within;
       for(const vertex_descriptor v : vertices(tm))
@@ -374,6 +408,7 @@ void limits_hold_with_threads(std::uint64_t seed)
 }
 
 // A run that a visitor ends leaves objects that can be used again.
+template <class Tag>
 void visitors_end_runs_with_threads(std::uint64_t seed)
 {
   test_support::Scope scope("visitors");
@@ -384,19 +419,19 @@ void visitors_end_runs_with_threads(std::uint64_t seed)
   {
     with_threads(number_of_threads, [&]
     {
-      SMG::Geodesic_distance_solver<Mesh, CGAL::Parallel_tag> solver(tm);
+      SMG::Geodesic_distance_solver<Mesh, Tag> solver(tm);
       for(const std::size_t steps : {std::size_t(0), std::size_t(1), std::size_t(20)})
       {
         Impatient_visitor visitor;
         visitor.steps_left = steps;
         const auto np = CGAL::parameters::visitor(std::ref(visitor));
-        CHECK(!SMG::geodesic_distances<CGAL::Parallel_tag>(tm, map, vertex(3), np));
+        CHECK(!SMG::geodesic_distances<Tag>(tm, map, vertex(3), np));
         visitor.steps_left = steps;
         CHECK(!solver.compute_distances(vertex(3), np));
         visitor.throws = true;
         visitor.steps_left = steps;
         CHECK(throws<std::range_error>(
-          [&] { SMG::geodesic_distances<CGAL::Parallel_tag>(tm, map, vertex(3), np); }));
+          [&] { SMG::geodesic_distances<Tag>(tm, map, vertex(3), np); }));
         visitor.steps_left = steps;
         CHECK(throws<std::range_error>([&] { solver.compute_distances(vertex(3), np); }));
         CHECK(solver.compute_distances(vertex(3)));
@@ -431,10 +466,13 @@ int main()
   broken_off_runs_leave_no_trace(seed);
   more_threads_than_processors_change_no_distance(seed);
   memory_does_not_grow_from_run_to_run();
+  small_meshes_are_left_to_one_thread(seed);
 #ifdef CGAL_LINKED_WITH_TBB
-  public_functions_agree_with_sequential_ones(seed, random);
-  limits_hold_with_threads(seed);
-  visitors_end_runs_with_threads(seed);
+  public_functions_agree_with_sequential_ones<CGAL::Parallel_tag>(seed, random);
+  public_functions_agree_with_sequential_ones<test_support::Several_threads>(seed, random);
+  limits_hold_with_threads<test_support::Several_threads>(seed);
+  visitors_end_runs_with_threads<CGAL::Parallel_tag>(seed);
+  visitors_end_runs_with_threads<test_support::Several_threads>(seed);
 #else
   std::cout << "TBB is not there: the public functions are not parallel" << std::endl;
 #endif

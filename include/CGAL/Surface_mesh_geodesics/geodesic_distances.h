@@ -51,7 +51,8 @@ Surface_mesh_geodesics_performance. With a radius or with targets, the propagati
 number of windows in the area that it reaches. Each call still reads the whole mesh, in linear time; a
 `Geodesic_distance_solver` reads it once for many computations.
 
-With `Parallel_tag`, several threads prepare the mesh, and visit vertices of the wavefront at the same time. The
+With `Parallel_tag`, several threads prepare the mesh, and visit vertices of the wavefront at the same time. (If the
+sources reach fewer than 16384 faces, one thread visits all: there, several gain little or nothing.) The
 distances do not depend on the number of threads; they may differ from those of `Sequential_tag` in the last digits. The
 calling thread alone calls the functions of the visitor, less often than with `Sequential_tag`. It alone reads the mesh
 and the property maps, with two exceptions. Several threads read the elements of a `CGAL::Surface_mesh` without garbage,

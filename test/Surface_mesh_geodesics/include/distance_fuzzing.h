@@ -9,6 +9,7 @@
 #include "distance_test_helpers.h"
 #include "edge_sequence_search.h"
 #include "hostile_cases.h"
+#include "several_threads.h"
 #include "test_support.h"
 
 #include <CGAL/Surface_mesh_geodesics/certify_geodesic_distances.h>
@@ -365,7 +366,7 @@ inline void certify(const Distance_case& c, const Input& input, Findings& findin
 inline void compare_with_threads(const Distance_case& c, Input& input, Findings& findings)
 {
   const std::vector<double> expected = values_at_vertices(input.tm, input.distance);
-  input.compute<CGAL::Parallel_tag>();
+  input.compute<test_support::Several_threads>();
   const double extent = static_cast<double>(c.sources.size()) * extent_of(c);
   for(std::size_t v = 0; v < expected.size(); ++v)
   {

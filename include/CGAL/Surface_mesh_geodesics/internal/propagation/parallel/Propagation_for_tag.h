@@ -10,8 +10,8 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_PARALLEL_PROPAGATION_FOR_TAG_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_PARALLEL_PROPAGATION_FOR_TAG_H
 
-// The propagation and the loops that a concurrency tag stands for. Both propagations have the same members, and a
-// constructor from mesh, field and keeper.
+// The propagation and the loops that a concurrency tag stands for. All propagations have the same members, and a
+// constructor from mesh and field, and a keeper if there is one.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/One_block.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Block_team.h>
@@ -19,6 +19,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Worker_team.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Parallel_distance_propagation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Propagation_by_size.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Edge_window_field.h>
 
 #include <CGAL/tags.h>
@@ -67,6 +68,13 @@ template <typename FT, typename Rules, typename Keeper>
 struct Propagation_for_tag<Parallel_tag, FT, Rules, Keeper>
 {
   using type = Parallel_distance_propagation<FT, Rules, Tbb_team, Keeper>;
+};
+
+// Without a keeper, a small mesh is left to one thread. (What a keeper does with the windows is worth sharing on any.)
+template <typename FT, typename Rules>
+struct Propagation_for_tag<Parallel_tag, FT, Rules, No_window_keeper>
+{
+  using type = Propagation_by_size<FT, Rules, Tbb_team>;
 };
 #endif
 

@@ -1,0 +1,80 @@
+#ifndef TEST_SEVERAL_THREADS_H
+#define TEST_SEVERAL_THREADS_H
+
+// Tags for tests. Several_threads is Parallel_tag, but several threads compute distances on small meshes, too; without
+// TBB, it is Sequential_tag. Propagation_of_size chooses as Parallel_tag does (Propagation_by_size.h), and needs no
+// library: one thread does the work of all.
+
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Available_tag.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Propagation_for_tag.h>
+
+#include <CGAL/tags.h>
+
+namespace test_support {
+
+struct Propagation_of_size : CGAL::Sequential_tag {};
+
+} // namespace test_support
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+template <>
+struct Available_tag<test_support::Propagation_of_size>
+{
+  using type = test_support::Propagation_of_size;
+};
+
+template <typename FT, typename Rules>
+struct Propagation_for_tag<test_support::Propagation_of_size, FT, Rules, No_window_keeper>
+{
+  using type = Propagation_by_size<FT, Rules, Calling_thread>;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#ifdef CGAL_LINKED_WITH_TBB
+
+namespace test_support {
+
+struct Several_threads : CGAL::Parallel_tag {};
+
+} // namespace test_support
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+template <>
+struct Available_tag<test_support::Several_threads>
+{
+  using type = test_support::Several_threads;
+};
+
+template <>
+struct Blocks_for_tag<test_support::Several_threads> : Blocks_for_tag<Parallel_tag> {};
+
+template <typename FT, typename Rules, typename Keeper>
+struct Propagation_for_tag<test_support::Several_threads, FT, Rules, Keeper>
+{
+  using type = Parallel_distance_propagation<FT, Rules, Tbb_team, Keeper>;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#else
+
+namespace test_support {
+
+using Several_threads = CGAL::Sequential_tag;
+
+} // namespace test_support
+
+#endif // CGAL_LINKED_WITH_TBB
+
+#endif // TEST_SEVERAL_THREADS_H
