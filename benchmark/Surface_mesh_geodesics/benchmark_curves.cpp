@@ -33,6 +33,12 @@ double milliseconds_from(const Settings& settings, Benchmark_mesh& mesh, const S
 
 double megabytes(std::size_t bytes) { return static_cast<double>(bytes) / (1024. * 1024.); }
 
+// What a call needs at its peak, with its copy of the mesh, its tables and the results.
+double megabytes_of_call(const Geodesics::Propagation_statistics& s)
+{
+  return megabytes(s.intrinsic_mesh_bytes + s.maximum_window_bytes);
+}
+
 void print_row(const Settings& settings, const std::string& file, Benchmark_mesh& mesh)
 {
   const auto curves = Geodesics::border_curves(mesh);
@@ -55,7 +61,8 @@ void print_row(const Settings& settings, const std::string& file, Benchmark_mesh
             << cell(median(from_curves), 1) << ',' << cell(median(from_vertices), 1) << ','
             << cell(median_ratio(from_curves, from_vertices), 2) << ',' << of_curves.windows_propagated << ','
             << of_vertices.windows_propagated << ',' << cell(curve_mb, 2) << ',' << cell(vertex_mb, 2) << ','
-            << cell(curve_mb / vertex_mb, 2) << std::endl;
+            << cell(curve_mb / vertex_mb, 2) << ','
+            << cell(megabytes_of_call(of_curves) / megabytes_of_call(of_vertices), 2) << std::endl;
 }
 
 } // namespace
@@ -66,9 +73,9 @@ int main(int argc, char* argv[])
   if(!read_settings(argc, argv, settings, [](const std::string&, const std::string&) { return false; }))
     return usage(argv[0], " mesh...   (--minimum-faces N; --list FILE)");
   print_head(settings, "distances of all vertices from the border, as curves and as vertices, processor times of whole "
-                       "calls; memory of windows and strips",
+                       "calls; memory of windows and strips, and of whole calls",
              "mesh,faces,border_vertices,curves_ms,vertices_ms,ratio,curve_windows,vertex_windows,curve_mb,vertex_mb,"
-             "memory_ratio");
+             "memory_ratio,call_memory_ratio");
   for(const std::string& file : settings.meshes)
   {
     Benchmark_mesh mesh;

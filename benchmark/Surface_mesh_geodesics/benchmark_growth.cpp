@@ -1,14 +1,39 @@
 // How time and memory grow with the mesh: a mesh and its midpoint subdivisions, distances of all vertices from
 // vertex 0. Prints one line of comma separated values per level. Reading the user's mesh is timed on its own; it
 // is the construction of a solver. Times are processor times.
+//
+// Several threads read the mesh, too, as many as the processor has: the speedup is the median of the ratios of elapsed
+// times of adjacent runs. Without TBB (CGAL_LINKED_WITH_TBB), it is about 1.
 
 #include "runs_in_process.h"
+#include "thread_counts.h"
 
 #include <CGAL/Surface_mesh_geodesics/Geodesic_distance_solver.h>
 
 #include <memory>
+#include <vector>
 
 namespace Geodesics = CGAL::Surface_mesh_geodesics;
+
+// The elapsed time of reading a mesh with the threads of a tag.
+template <typename Tag>
+double reading_time(const Benchmark_mesh& mesh)
+{
+  return milliseconds_of(CLOCK_MONOTONIC,
+                         [&]() { const Geodesics::Geodesic_distance_solver<Benchmark_mesh, Tag> solver(mesh); });
+}
+
+// How many times as fast several threads read a mesh.
+double reading_speedup(const Settings& settings, const Benchmark_mesh& mesh)
+{
+  std::vector<double> one, several;
+  for(std::size_t i = 0; i < settings.repetitions; ++i)
+  {
+    one.push_back(reading_time<CGAL::Sequential_tag>(mesh));
+    several.push_back(reading_time<Parallel>(mesh));
+  }
+  return median_ratio(one, several);
+}
 
 int main(int argc, char* argv[])
 {
@@ -20,7 +45,8 @@ int main(int argc, char* argv[])
   }
   print_head(settings, "distances of all vertices from vertex 0, processor times",
              "mesh,subdivisions,faces,vertices," + spread_columns("read_ms") + ',' + spread_columns("run_ms")
-               + ",read_share,windows,lists,visits,windows_per_face,ns_per_window,mesh_bytes_per_face,window_mb");
+               + ",read_share,reading_speedup,windows,lists,visits,windows_per_face,ns_per_window,mesh_bytes_per_face,"
+                 "window_mb");
   for(const std::string& file : settings.meshes)
   {
     for(std::size_t level = 0; level <= settings.subdivisions; ++level)
@@ -44,6 +70,7 @@ int main(int argc, char* argv[])
       const double windows = static_cast<double>(statistics.windows_propagated);
       std::cout << file_name(file) << ',' << level << ',' << mesh.number_of_faces() << ',' << mesh.number_of_vertices()
                 << ',' << read << ',' << run << ',' << cell(read.middle / (read.middle + run.middle), 3) << ','
+                << cell(reading_speedup(settings, mesh), 2) << ','
                 << statistics.windows_propagated << ',' << statistics.window_lists << ','
                 << statistics.vertices_visited << ',' << cell(windows / faces, 2) << ','
                 << cell(1e6 * run.middle / windows, 2) << ','

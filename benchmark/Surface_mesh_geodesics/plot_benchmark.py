@@ -112,6 +112,8 @@ def spread(name):
 def growth(rows):
     figure, (time, windows, memory) = plt.subplots(1, 3, figsize=(10, 3.2))
     for mesh, of_mesh in groups(rows, "mesh").items():
+        if len(of_mesh) < 2:
+            continue
         faces = [row["faces"] for row in of_mesh]
         error_bars(time, faces, of_mesh, "run_ms", label=f"{mesh}: propagation")
         error_bars(time, faces, of_mesh, "read_ms", label=f"{mesh}: reading the mesh")

@@ -351,6 +351,8 @@ ask()
 
 if [ "$questions" = yes ]; then
   ask growth --subdivide 2 "$meshes/bunny00.off"
+  "$programs/benchmark_growth" --repetitions "$questions_repetitions" --no-header --subdivide 0 \
+    "$meshes/armadillo.off" "$meshes/refined_elephant.off" | tee -a "$build/growth.csv" >&2
   ask anisotropy
   ask sources "$meshes/bunny00.off"
   ask reach --subdivide 1 "$meshes/bunny00.off"
