@@ -335,17 +335,15 @@ def figures(results):
     def add_range(name, numbers, form=short):
         found.update({f"{name}_min": form(min(numbers)), f"{name}_max": form(max(numbers))})
     add_range("reading_ns", [nanoseconds_per_face(row) for row in rows("growth")], round)
+    add_range("reading_speedup", values("growth", "reading_speedup"), "{:.1f}".format)
     add_range("reading_percent", [100 * share for share in values("growth", "read_share")], round)
     found["bytes_per_face"] = round(max(values("growth", "mesh_bytes_per_face")))
     for mesh in ("refined_elephant", "armadillo"):
         found[f"time_ratio_{mesh}"] = round(values("standard_meshes", "time_ratio", mesh=mesh + ".off", subdivisions=0)[0])
-    for n in (1, 2):
-        for subdivisions, speedup in enumerate(values("threads", "speedup", mesh="bunny00.off", threads=n)):
-            found[f"speedup_{n}_{subdivisions}"] = f"{speedup:.2f}"
-        for subdivisions, speedup in enumerate(values("threads", "speedup", mesh="refined_elephant.off", threads=n)):
-            found[f"speedup_{n}_{subdivisions}_elephant"] = f"{speedup:.2f}"
-    for mesh in ("elephant", "sphere"):
-        found[f"speedup_1_{mesh}"] = f"{values('threads', 'speedup', mesh=mesh + '.off', threads=1)[0]:.2f}"
+    for mesh, name in (("bunny00", ""), ("refined_elephant", "_elephant")):
+        for subdivisions, speedup in enumerate(values("threads", "speedup", mesh=mesh + ".off", threads=2)):
+            found[f"speedup_2_{subdivisions}{name}"] = f"{speedup:.2f}"
+    add_range("speedup_1", values("threads", "speedup", threads=1), "{:.2f}".format)
     add_range("earlier_ratio", values("earlier_version", "time_ratio", subdivisions=0), "{:.2f}".format)
     found["earlier_ratio_median"] = f"{statistics.median(values('earlier_version', 'time_ratio', subdivisions=0)):.2f}"
     found["earlier_ratio_fine"] = f"{values('earlier_version', 'time_ratio', subdivisions=2)[0]:.2f}"

@@ -43,7 +43,8 @@ list() {
     case "$name" in
       test_paths_from_threads | test_distance_matrix | test_parallel_propagation | test_Voronoi_interface \
         | test_fine_subdivisions | test_parallel_keepers | test_work_sharing | test_reading_in_blocks \
-        | test_certificate_checks | test_parallel_applications)
+        | test_certificate_checks | test_parallel_applications | test_parallel_out_of_memory \
+        | test_parallel_paths_and_diagrams)
         printf '%s\0thread\0-fsanitize=thread\0' "$name" ;;
     esac
   done

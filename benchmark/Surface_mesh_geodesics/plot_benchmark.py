@@ -246,8 +246,9 @@ def speedups(rows, label, title, columns):
     axes.set_ylabel("speedup over the sequential run")
     axes.legend(fontsize=7)
     threads = ("threads", lambda r: r["threads"] if isinstance(r["threads"], str) else number(r["threads"], 0))
+    time = "call_ms" if "call_ms" in rows[0] else "run_ms"
     return figure, title, table(columns + [
-        threads, ("run, ms", spread("run_ms")), ("speedup", lambda r: number(r["speedup"], 2))], rows)
+        threads, (time.replace("_", ", "), spread(time)), ("speedup", lambda r: number(r["speedup"], 2))], rows)
 
 
 def face_queries(rows):

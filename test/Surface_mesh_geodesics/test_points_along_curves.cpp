@@ -8,6 +8,8 @@
 #include <CGAL/Surface_mesh_geodesics/Surface_curve.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_distances.h>
 
+#include <CGAL/Polygon_mesh_processing/locate.h>
+
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
@@ -70,32 +72,55 @@ void test_points_along_curves()
   CHECK(sum[1] < .15 * sum[0] && sum[2] < .15 * sum[1]); // an error that is linear would shrink to a quarter
 }
 
-// Ten thousand points along a polygon in the plane, at most h apart on a side: the nearest point of a side is at most
-// h / 2 from one of them.
-void test_many_points_in_plane()
+// Takes at least ten thousand points along a curve, at most h apart, as sources. The distances from them are at least
+// those from the curve, and at most bound(distance from the curve, h).
+template <typename Bound>
+void check_many_points(const Mesh& tm, const Curve& curve, Bound bound)
 {
-  const test_support::Scope scope("many points");
-  const double size = 6;
-  const Mesh tm = to_face_graph(flat_patch(6, 6, .3, true, 4));
-  const std::vector<Point_2> corners{{.7, 1.1}, {5.2, .4}, {4.9, 5.6}, {2.3, 2.2}, {.9, 5.1}};
-  std::vector<Location> locations;
-  for(std::size_t i = 0; i < corners.size(); ++i)
-    append_crossings(tm, corners[i], corners[(i + 1) % corners.size()], locations);
-  const Curve curve(tm, locations, true);
   const Distances d = distances(tm, {curve});
-  const std::size_t n = 1 + 10000 / curve.segments().size();
+  const std::size_t number_of_segments = curve.segments().size(), n = 1 + 10000 / number_of_segments;
   std::vector<Location> points;
-  for(std::size_t i = 0; i < curve.segments().size(); ++i)
-    for(std::size_t j = 0; j < n; ++j)
+  double h = 0;
+  for(std::size_t i = 0; i < number_of_segments; ++i)
+  {
+    for(std::size_t j = 0; j <= n; ++j)
       points.push_back(curve.location(i, static_cast<double>(j) / static_cast<double>(n)));
-  CHECK(points.size() > 10000);
-  const double h = size * std::sqrt(2.) / static_cast<double>(n); // no segment is longer than the square
+    const auto first = CGAL::Polygon_mesh_processing::construct_point(curve.location(i, 0.), tm);
+    const auto last = CGAL::Polygon_mesh_processing::construct_point(curve.location(i, 1.), tm);
+    h = std::max(h, std::sqrt(CGAL::squared_distance(first, last)) / static_cast<double>(n));
+  }
+  CHECK(points.size() >= 10000);
   Distances from_points;
   SMG::geodesic_distances(tm, boost::make_assoc_property_map(from_points), points);
   for(const vertex_descriptor v : vertices(tm))
   {
     CHECK(from_points.at(v) >= d.at(v) * (1 - 1e-12));
-    CHECK(from_points.at(v) <= std::hypot(d.at(v), h / 2) + 1e-12);
+    CHECK(from_points.at(v) <= bound(d.at(v), h) + 1e-12);
+  }
+}
+
+// Along a polygon in the plane. The nearest point of a side is at most h / 2 from one of the points.
+void test_many_points_in_plane()
+{
+  const test_support::Scope scope("many points in the plane");
+  const Mesh tm = to_face_graph(flat_patch(6, 6, .3, true, 4));
+  const std::vector<Point_2> corners{{.7, 1.1}, {5.2, .4}, {4.9, 5.6}, {2.3, 2.2}, {.9, 5.1}};
+  std::vector<Location> locations;
+  for(std::size_t i = 0; i < corners.size(); ++i)
+    append_crossings(tm, corners[i], corners[(i + 1) % corners.size()], locations);
+  check_many_points(tm, Curve(tm, locations, true), [](double d, double h) { return std::hypot(d, h / 2); });
+}
+
+// On surfaces that are not flat, a path may lead along the curve from its nearest point to the next one.
+void test_many_points_on_surfaces()
+{
+  test_support::Random random(7);
+  for(const Indexed_mesh& indexed : {noisy_sphere(2, .1, 5), rough_terrain(12, 1.5, 6), genus_2_polycube()})
+  {
+    const test_support::Scope scope("many points on " + indexed.name);
+    const Mesh tm = to_face_graph(indexed);
+    check_many_points(tm, Curve(tm, random_vertices_along_edges(tm, 20, random)),
+                      [](double d, double h) { return d + h / 2; });
   }
 }
 
@@ -105,5 +130,6 @@ int main()
 {
   test_points_along_curves();
   test_many_points_in_plane();
+  test_many_points_on_surfaces();
   return test_result();
 }

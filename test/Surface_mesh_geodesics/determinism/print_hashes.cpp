@@ -1,5 +1,6 @@
-// Prints a hash of the bits of all answers on each mesh: distances, lengths and points of paths, arcs of a geodesic
-// Voronoi diagram. scripts/check_determinism.sh compares what differently compiled programs print.
+// Prints a hash of the bits of all answers on each mesh: distances, those of Parallel_tag (visits in batches, which give
+// the same bits with any number of threads), lengths and points of paths, arcs of a geodesic Voronoi diagram.
+// scripts/check_determinism.sh compares what differently compiled programs print.
 // Usage: print_hashes MESH...
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -17,6 +18,29 @@
 #include <iterator>
 #include <string>
 #include <vector>
+
+// The propagation of Parallel_tag in one thread, which needs no library.
+struct Visits_in_batches : CGAL::Sequential_tag {};
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+template <>
+struct Available_tag<Visits_in_batches>
+{
+  using type = Visits_in_batches;
+};
+
+template <typename FT, typename Rules, typename Keeper>
+struct Propagation_for_tag<Visits_in_batches, FT, Rules, Keeper>
+{
+  using type = Parallel_distance_propagation<FT, Rules, Calling_thread, Keeper>;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
 
 namespace {
 
@@ -68,13 +92,14 @@ std::vector<Mesh::Vertex_index> some_vertices(const Mesh& mesh, std::size_t numb
   return result;
 }
 
+template <typename Tag>
 Hash hash_of_distances(Mesh& mesh)
 {
   Hash hash;
   auto distance = mesh.add_property_map<Mesh::Vertex_index, double>("v:distance", 0.).first;
   for(const std::size_t number : {std::size_t(1), std::size_t(10)})
   {
-    CGAL::Surface_mesh_geodesics::geodesic_distances(mesh, distance, some_vertices(mesh, number));
+    CGAL::Surface_mesh_geodesics::geodesic_distances<Tag>(mesh, distance, some_vertices(mesh, number));
     for(const Mesh::Vertex_index v : vertices(mesh))
     {
       hash.add(distance[v]);
@@ -142,7 +167,8 @@ int main(int argc, char* argv[])
       return EXIT_FAILURE;
     }
     const std::string name = argv[i];
-    std::cout << name.substr(name.find_last_of('/') + 1) << " distances " << hash_of_distances(mesh) << " paths "
-              << hash_of_paths(mesh) << " diagram " << hash_of_diagram(mesh) << std::endl;
+    std::cout << name.substr(name.find_last_of('/') + 1) << " distances "
+              << hash_of_distances<CGAL::Sequential_tag>(mesh) << " in batches "
+              << hash_of_distances<Visits_in_batches>(mesh) << " paths " << hash_of_paths(mesh) << " diagram " << hash_of_diagram(mesh) << std::endl;
   }
 }

@@ -91,15 +91,14 @@ private:
   using Alone = Distance_propagation<FT, Rules>;
   using Shared = Parallel_distance_propagation<FT, Rules, Team>;
 
-  // Restarts one propagation, or makes it. The other one goes first: both write the field.
+  // Restarts one propagation, or makes it in place of the other one. If that throws, the other one is still there.
   template <typename Wanted, typename Other>
   void restart(std::unique_ptr<Wanted>& wanted, std::unique_ptr<Other>& other)
   {
-    other.reset();
     if(wanted)
-      wanted->restart();
-    else
-      wanted.reset(new Wanted(m_mesh, m_field));
+      return wanted->restart();
+    wanted.reset(new Wanted(m_mesh, m_field));
+    other.reset();
   }
 
   template <typename Use>
