@@ -1,5 +1,5 @@
-// Prints a hash of the bits of all answers on each mesh: distances, those of Parallel_tag (visits in batches, which give
-// the same bits with any number of threads), lengths and points of paths, arcs of a geodesic Voronoi diagram.
+// Prints a hash of the bits of all answers on each mesh: distances, those of Parallel_tag (visits in batches, whose
+// bits do not depend on the number of threads), lengths and points of paths, arcs of a geodesic Voronoi diagram.
 // scripts/check_determinism.sh compares what differently compiled programs print.
 // Usage: print_hashes MESH...
 
@@ -169,6 +169,7 @@ int main(int argc, char* argv[])
     const std::string name = argv[i];
     std::cout << name.substr(name.find_last_of('/') + 1) << " distances "
               << hash_of_distances<CGAL::Sequential_tag>(mesh) << " in batches "
-              << hash_of_distances<Visits_in_batches>(mesh) << " paths " << hash_of_paths(mesh) << " diagram " << hash_of_diagram(mesh) << std::endl;
+              << hash_of_distances<Visits_in_batches>(mesh) << " paths " << hash_of_paths(mesh) << " diagram "
+              << hash_of_diagram(mesh) << std::endl;
   }
 }
