@@ -317,7 +317,7 @@ void small_meshes_are_left_to_one_thread(std::uint64_t seed)
   using Choice = internal::Propagation_by_size<double, internal::All_pruning_rules, internal::Calling_thread>;
   const std::size_t smallest = Choice::smallest_shared_mesh;
   CHECK(num_faces(tm) < smallest && num_faces(tm) + 6 >= smallest);
-  const auto location = [&](std::size_t f) { return Face_location(face_descriptor(f), {.2, .3, .5}); };
+  const auto location = [&](Mesh::size_type f) { return Face_location(face_descriptor(f), {.2, .3, .5}); };
   const std::vector<Face_location> three{location(10), location(5000), location(12000)};
   const std::vector<double> from_vertex = distances(tm, vertex(3)), from_faces = distances(tm, three);
   SMG::Geodesic_distance_solver<Mesh, test_support::Propagation_of_size> solver(tm);

@@ -233,6 +233,11 @@ public:
   // larger block if it has to; then its columns change, and copies of the list refer to a block that is free.
   void reserve(List& list, std::size_t n)
   {
+    if(list.columns.height == 0)
+    {
+      list = allocate(n);
+      return;
+    }
     if(list.size + n <= list.capacity())
       return;
     List larger = allocate(list.size + n);
