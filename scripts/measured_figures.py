@@ -334,6 +334,7 @@ def figures(results):
         found[f"{name}_runs"] = results.comment(name, r"(\d+) runs")
     def add_range(name, numbers, form=short):
         found.update({f"{name}_min": form(min(numbers)), f"{name}_max": form(max(numbers))})
+    found["question_runs"] = results.comment("sources", r"(\d+) runs")
     add_range("reading_ns", [nanoseconds_per_face(row) for row in rows("growth")], round)
     add_range("reading_speedup", values("growth", "reading_speedup"), "{:.1f}".format)
     add_range("reading_percent", [100 * share for share in values("growth", "read_share")], round)

@@ -61,6 +61,12 @@ def measure(mesh, targets_file):
     print(first - distances, distances, milliseconds(paths), sep=",")
 
 
+def processor():
+    with open("/proc/cpuinfo", encoding="utf-8") as info:
+        names = [line.split(":")[1].strip() for line in info if line.startswith("model name")]
+    return names[0] if names else "unknown"
+
+
 def import_time():
     code = "import numpy, time; t = time.perf_counter(); import surface_mesh_geodesics; print(time.perf_counter() - t)"
     return 1000 * float(subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout)
@@ -80,7 +86,8 @@ def compare(arguments):
         runs = [(times_of([arguments.program, arguments.mesh, targets]),
                  times_of([sys.executable, __file__, "--measure", "", arguments.mesh, "--targets-file", targets]))
                 for _ in range(arguments.repetitions)]
-    print(f"# Python {sys.version.split()[0]}, NumPy {np.__version__}; {arguments.flags}")
+    print(f"# machine: {processor()}, {os.cpu_count()} hardware threads")
+    print(f"# Python {sys.version.split()[0]}, NumPy {np.__version__}; flags of C++: {arguments.flags}")
     print(f"# from vertex 0, one thread; clock times in ms, medians of {arguments.repetitions} runs in turn; distances: "
           f"each the least of {NUMBER_OF_PROPAGATIONS}; ratios are Python / C++")
     mesh = os.path.basename(arguments.mesh)

@@ -15,8 +15,8 @@ usage: run_benchmark.sh [options]
   --heat             also measure Heat_method_3: times and errors (needs Eigen)
   --questions        also run the programs for one question each: growth, anisotropy, sources, reach, rules,
                      instruction_sets, schedulers, flat vertices, face queries, isolines, curves, directions,
-                     obstacles, small_component, threads, phases, matrix, matrix_store, rows; draw
-                     plots if python3 has matplotlib
+                     obstacles, small_component, threads, phases, matrix, matrix_store, rows, uses_of_diagrams;
+                     draw plots if python3 has matplotlib
   --python           also measure what the Python module adds to the time of C++ (needs the module;
                      the variable PYTHON names the interpreter)
   --compile          also measure how long programs take to compile
@@ -117,9 +117,13 @@ if [ -z "$programs" ]; then
   [ "$python" = no ] || targets+=(benchmark_python)
   [ "$certify" = no ] || targets+=(benchmark_certification)
   [ "$remesh" = no ] || targets+=(benchmark_remeshing)
-  [ "${#targets[@]}" -gt 0 ] || { usage >&2; exit 1; }
-  cmake --build "$build/programs" --target "${targets[@]}" > "$build/build.log"
-  programs="$(dirname "$(find "$build/programs" -type f -name "${targets[0]}" | head -n 1)")"
+  if [ "${#targets[@]}" -gt 0 ]; then
+    cmake --build "$build/programs" --target "${targets[@]}" > "$build/build.log"
+    programs="$(dirname "$(find "$build/programs" -type f -name "${targets[0]}" | head -n 1)")"
+  elif [ "$compile" = no ]; then
+    usage >&2
+    exit 1
+  fi
 fi
 # The flags that the compiler received, without folders, warnings, file names and definitions that contain paths.
 commands="$programs/../../compile_commands.json"
@@ -382,6 +386,8 @@ if [ "$questions" = yes ]; then
     "$programs/benchmark_threads" --no-header "$@" | tee -a "$build/threads.csv" >&2
   }
   more_threads --repetitions "$questions_repetitions" --subdivide 1 "$meshes/refined_elephant.off"
+  more_threads --repetitions 25 --subdivide 0 "$meshes/ChineseDragon-10kv.off" "$meshes/diplodocus.off" \
+    "$meshes/armadillo.off"
   more_threads --repetitions 101 --subdivide 0 "$meshes/elephant.off" "$meshes/sphere.off"
   ask phases --subdivide 2 "$meshes/bunny00.off"
   "$programs/benchmark_uses_of_diagrams" --repetitions 5 --flags "$flags" "$meshes/bunny00.off" \
@@ -403,7 +409,7 @@ if [ "$questions" = yes ]; then
 fi
 
 if [ "$python" = yes ]; then
-  "${PYTHON:-python3}" "$here/benchmark_python.py" --flags "module of setup.py" --repetitions "$questions_repetitions" "$programs/benchmark_python" \
+  "${PYTHON:-python3}" "$here/benchmark_python.py" --flags "$flags; module of setup.py" --repetitions "$questions_repetitions" "$programs/benchmark_python" \
     "$meshes/bunny00.off" | tee "$build/python.csv" >&2
 fi
 
