@@ -366,6 +366,36 @@ void a_cell_that_is_a_point_ends_there(test_support::Random& random)
   }
 }
 
+// Images on one ray whose weights differ by their distance, up to rounding: where two of them nearly touch, rounding
+// may call either one the nearer one. They do not take turns.
+void two_images_that_nearly_touch_do_not_take_turns()
+{
+  const std::array<std::vector<Image>, 3> cases{
+    std::vector<Image>{{0, 1, 0, .00013372917987374689, 0, 2},
+                       {0, 1, .012504554974713611, .00012704028434792834, .012504556763713566, 5}},
+    std::vector<Image>{{0, 1, -.29340662897505709, .0012308573862355073, 2.2099727648542666, 2},
+                       {0, 1, .31505033466373866, .0004884590405622221, 2.8184301814051969, 4}},
+    std::vector<Image>{{0, 1, .25, .00068756808647515717, .83579722515393362, 2},
+                       {0, 1, .25000238173935246, .00068756481125921908, .83579960689553801, 3},
+                       {0, 1, .80842470967819224, .0001602920335329182, 1.3942221837644913, 5}}};
+  for(const std::vector<Image>& images : cases)
+  {
+    const auto nearest = [&](double x)
+    {
+      return *std::min_element(images.begin(), images.end(), [x](const Image& a, const Image& b)
+                               { return a.distance_at(x) < b.distance_at(x); });
+    };
+    Partition p;
+    p.start(1., nearest(0).site, nearest(0).distance_at(0), nearest(1).site, nearest(1).distance_at(1));
+    for(const Image& g : images)
+      p.add(g);
+    p.build();
+    CHECK(p.intervals().size() <= 8);
+    for(double x = 0; x <= 1; x += 1. / 64)
+      CHECK_NEAR(partition_distance(p, x), nearest(x).distance_at(x), 64 * epsilon);
+  }
+}
+
 // Two sites tie where the interval of one of them begins, and once more a bit farther on; the other one is nearer in
 // between.
 void a_short_part_between_two_ties(test_support::Random& random)
@@ -457,6 +487,7 @@ int main()
   the_nearest_image_takes_over(random);
   images_that_nearly_touch_the_edge(random);
   a_cell_that_is_a_point_ends_there(random);
+  two_images_that_nearly_touch_do_not_take_turns();
   a_short_part_between_two_ties(random);
   two_sites_that_nearly_coincide(random);
   an_image_that_ties_does_not_take_over(random);

@@ -250,6 +250,8 @@ private:
     {
       Propagation_statistics statistics = runner.statistics();
       statistics.intrinsic_mesh_bytes += m_surface.memory() + runner.field_memory();
+      if constexpr(!std::is_same<AnyRunner, Runner>::value) // the tables for points stay
+        statistics.intrinsic_mesh_bytes += m_runner.statistics().intrinsic_mesh_bytes + m_runner.field_memory();
       options.statistics->add(statistics);
     }
     unfinished.solver = nullptr;

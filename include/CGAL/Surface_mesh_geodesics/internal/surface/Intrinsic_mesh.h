@@ -325,9 +325,8 @@ public:
   // task. All references to faces become invalid.
   Face_id add_face(const Face& f, Face_id whole)
   {
-    const FT extent = extent_around(whole);
+    m_extents_of_added_faces.push_back(extent_around(whole)); // first: if the face throws, truncate() removes it
     m_faces.push_back(f);
-    m_extents_of_added_faces.push_back(extent);
     count_most_faces_crossed();
     return static_cast<Face_id>(m_faces.size() - 1);
   }
@@ -339,7 +338,7 @@ public:
     CGAL_assertion(number_of_vertices <= this->number_of_vertices() && number_of_faces <= this->number_of_faces());
     m_vertex_halfedge.resize(number_of_vertices);
     m_vertex_kind.resize(number_of_vertices);
-    m_extents_of_added_faces.resize(m_extents_of_added_faces.size() - (m_faces.size() - number_of_faces));
+    m_extents_of_added_faces.resize(number_of_faces - m_number_of_faces_before);
     m_faces.resize(number_of_faces);
     count_most_faces_crossed();
   }

@@ -388,6 +388,8 @@ private:
     const bool is_last_ray = m_has_rays && way <= Tolerance<FT>::touching() * m_length;
     if(!is_last_ray && (g.site == c.site || way <= width() || way > Tolerance<FT>::tied_part() * m_length))
       return false;
+    if(g.site != c.site && from > m_x && from <= m_x + width())
+      return false; // g has been left at m_x for c: rounding decides differently here and there
     const auto is_before = [&](const FT& x)
     { return is_nearer<FT>(c.distance_at(x) + rounding_of_rays(), g.distance_at(x)); };
     const std::array<FT, 4> places{from, foot_of(g, from, to), foot_of(c, from, to),

@@ -91,12 +91,15 @@ private:
   using Alone = Distance_propagation<FT, Rules>;
   using Shared = Parallel_distance_propagation<FT, Rules, Team>;
 
-  // Restarts one propagation, or makes it in place of the other one. If that throws, the other one is still there.
+  // Restarts one propagation, or makes it in place of the other one. If that throws, the other one is still there, and
+  // has forgotten its last run: the new one resets the field, which tells the other one what to forget.
   template <typename Wanted, typename Other>
   void restart(std::unique_ptr<Wanted>& wanted, std::unique_ptr<Other>& other)
   {
     if(wanted)
       return wanted->restart();
+    if(other)
+      other->restart();
     wanted.reset(new Wanted(m_mesh, m_field));
     other.reset();
   }
