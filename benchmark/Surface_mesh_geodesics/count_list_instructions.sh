@@ -24,7 +24,8 @@ echo "mesh,faces,windows,lists,crossed,instructions_per_list"
 for mesh in "$@"; do
   for n in 1 2 3 4 8 16 32; do
     row="$(valgrind --tool=callgrind --callgrind-out-file=/dev/null --toggle-collect='*cross_face*' \
-      "$folder/short_lists" --windows "$n" "$mesh" 2> "$folder/valgrind.log")"
+      "$folder/short_lists" --windows "$n" "$mesh" 2> "$folder/valgrind.log")" \
+      || { cat "$folder/valgrind.log" >&2; exit 1; }
     collected="$(awk '/Collected/ { print $NF }' "$folder/valgrind.log")"
     crossed="${row##*,}"
     [ "$crossed" -eq 0 ] || echo "$row,$((collected / crossed))"

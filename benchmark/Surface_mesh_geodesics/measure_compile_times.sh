@@ -50,6 +50,7 @@ for((i = 0; i < repetitions; ++i)); do
   done
 done
 
+echo "# machine: $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1), $(nproc) hardware threads"
 echo "# compiler: $("$compiler" --version | head -n 1), flags: $flags"
 echo "# processor times of the compiler in seconds, in turn: median, least and greatest of $repetitions runs"
 echo "# memory: peak of the compiler; ratio: of the medians, this program / original_shortest_paths"

@@ -231,6 +231,7 @@ public:
 
   // Reserves capacity for n more windows behind those of a list. add() makes them part of the list. The list moves to a
   // larger block if it has to; then its columns change, and copies of the list refer to a block that is free.
+  // Requires: n > 0.
   void reserve(List& list, std::size_t n)
   {
     if(list.columns.height == 0)
