@@ -52,11 +52,11 @@ number of windows in the area that it reaches. Each call still reads the whole m
 `Geodesic_distance_solver` reads it once for many computations.
 
 With `Parallel_tag`, several threads prepare the mesh, and visit vertices of the wavefront at the same time. (If the
-sources reach fewer than 16384 faces, one thread visits all: there, several gain little or nothing.) The
-distances do not depend on the number of threads; they may differ from those of `Sequential_tag` in the last digits. The
-calling thread alone calls the functions of the visitor, less often than with `Sequential_tag`. It alone reads the mesh
-and the property maps, with two exceptions. Several threads read the elements of a `CGAL::Surface_mesh` without garbage,
-if the index maps are its own and nothing is avoided. And they read points that a `CGAL::Surface_mesh` stores, in any
+sources reach fewer than 16384 faces, one thread visits all: there, several gain little or nothing.) The distances do
+not depend on the number of threads; they may differ from those of `Sequential_tag` in the last digits. The calling
+thread alone calls the functions of the visitor, less often than with `Sequential_tag`. It alone reads the mesh and the
+property maps, with two exceptions. Several threads read the elements of a `CGAL::Surface_mesh` without garbage, if the
+index maps are its own and nothing is avoided. And they read points that a `CGAL::Surface_mesh` stores, in any
 `Property_map`, if the coordinates are built-in floating point numbers.
 
 <b>Thread safety.</b> Several threads may call the function at once, also on the same mesh, if each call writes to maps
