@@ -1427,7 +1427,7 @@ MUTANTS = [
      " && (is_last_ray || !is_before(from - m_length))", "",
      "two sites that nearly coincide divide an edge far from their bisector", (FACE_LAWS,)),
     ("touching_images_come_back", EDGE_PARTITION,
-     "if(g.site != c.site && from > m_x && from <= m_x + width())", "if(false)",
+     "at_x * (Tolerance<FT>::nearer() / 2)", "at_x * Tolerance<FT>::nearer()",
      "two images take turns along an edge, and the rest of it belongs to the wrong one", (FACE_LAWS,)),
     ("touching_where_slopes_are_equal", EDGE_PARTITION,
      "(std::min)((std::max)(from, equal_slopes(g, c, from)), to)", "from",

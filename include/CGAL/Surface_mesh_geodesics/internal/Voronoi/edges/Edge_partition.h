@@ -381,17 +381,19 @@ private:
   //   alternate with c. Images of one site may tie along a ray: each has a cone of its own.)
   //
   // Formula: c is nearer than g by most at one of the two abscissas, next to one of the images, or where the slopes of
-  // both distances are equal.
+  // both distances are equal. Half the margin of is_nearer() counts there: else rounding might let g take over here,
+  // and c from g at another abscissa, in turns.
   bool does_touch(const Image& g, const Image& c, const FT& from, const FT& to) const
   {
     const FT way = to - from;
     const bool is_last_ray = m_has_rays && way <= Tolerance<FT>::touching() * m_length;
     if(!is_last_ray && (g.site == c.site || way <= width() || way > Tolerance<FT>::tied_part() * m_length))
       return false;
-    if(g.site != c.site && from > m_x && from <= m_x + width())
-      return false; // g has been left at m_x for c: rounding decides differently here and there
     const auto is_before = [&](const FT& x)
-    { return is_nearer<FT>(c.distance_at(x) + rounding_of_rays(), g.distance_at(x)); };
+    {
+      const FT at_x = g.distance_at(x);
+      return c.distance_at(x) + rounding_of_rays() < at_x - at_x * (Tolerance<FT>::nearer() / 2);
+    };
     const std::array<FT, 4> places{from, foot_of(g, from, to), foot_of(c, from, to),
                                    (std::min)((std::max)(from, equal_slopes(g, c, from)), to)};
     return std::none_of(places.begin(), places.end(), is_before) && (is_last_ray || !is_before(from - m_length));
