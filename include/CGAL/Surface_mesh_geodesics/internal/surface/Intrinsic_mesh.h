@@ -322,11 +322,19 @@ public:
   }
 
   // Adds a face, a part of the face `whole`, and returns its index. The opposites of its neighbors are the caller's
-  // task. All references to faces become invalid.
+  // task. All references to faces become invalid. If it throws, nothing has changed.
   Face_id add_face(const Face& f, Face_id whole)
   {
-    m_extents_of_added_faces.push_back(extent_around(whole)); // first: if the face throws, truncate() removes it
-    m_faces.push_back(f);
+    m_extents_of_added_faces.push_back(extent_around(whole));
+    try
+    {
+      m_faces.push_back(f);
+    }
+    catch(...)
+    {
+      m_extents_of_added_faces.pop_back();
+      throw;
+    }
     count_most_faces_crossed();
     return static_cast<Face_id>(m_faces.size() - 1);
   }
@@ -338,7 +346,7 @@ public:
     CGAL_assertion(number_of_vertices <= this->number_of_vertices() && number_of_faces <= this->number_of_faces());
     m_vertex_halfedge.resize(number_of_vertices);
     m_vertex_kind.resize(number_of_vertices);
-    m_extents_of_added_faces.resize(number_of_faces - m_number_of_faces_before);
+    m_extents_of_added_faces.resize(m_extents_of_added_faces.size() - (m_faces.size() - number_of_faces));
     m_faces.resize(number_of_faces);
     count_most_faces_crossed();
   }
@@ -563,8 +571,9 @@ private:
   std::vector<Edge_component> m_edge_components; // empty if there is one
   std::vector<FT> m_extents_of_added_faces;      // see extent_around()
   FT m_unit = 1;
-  std::size_t m_most_faces_crossed = 0, m_number_of_faces_before = 0; // before sources divided them
-  double m_faces_crossed_by_lengths = 0;                              // 0 for a surface with points
+  std::size_t m_most_faces_crossed = 0;
+  double m_faces_crossed_by_lengths = 0;    // 0 for a surface with points
+  std::size_t m_number_of_faces_before = 0; // before sources divided them; of a surface without points only
 };
 
 } // namespace internal
