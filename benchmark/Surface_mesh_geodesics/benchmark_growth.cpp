@@ -11,28 +11,22 @@
 #include <CGAL/Surface_mesh_geodesics/Geodesic_distance_solver.h>
 
 #include <memory>
-#include <vector>
 
 namespace Geodesics = CGAL::Surface_mesh_geodesics;
 
-// The elapsed time of reading a mesh with the threads of a tag.
 template <typename Tag>
-double reading_time(const Benchmark_mesh& mesh)
+void read_with(const Benchmark_mesh& mesh)
 {
-  return milliseconds_of(CLOCK_MONOTONIC,
-                         [&]() { const Geodesics::Geodesic_distance_solver<Benchmark_mesh, Tag> solver(mesh); });
+  const Geodesics::Geodesic_distance_solver<Benchmark_mesh, Tag> solver(mesh);
 }
 
-// How many times as fast several threads read a mesh.
+// How many times as fast all threads read a mesh.
 double reading_speedup(const Settings& settings, const Benchmark_mesh& mesh)
 {
-  std::vector<double> one, several;
-  for(std::size_t i = 0; i < settings.repetitions; ++i)
-  {
-    one.push_back(reading_time<CGAL::Sequential_tag>(mesh));
-    several.push_back(reading_time<Parallel>(mesh));
-  }
-  return median_ratio(one, several);
+  const Scaling scaling(settings, [&](std::size_t threads) {
+    threads == 0 ? read_with<CGAL::Sequential_tag>(mesh) : read_with<Parallel>(mesh);
+  });
+  return scaling.entries().back().speedup;
 }
 
 int main(int argc, char* argv[])

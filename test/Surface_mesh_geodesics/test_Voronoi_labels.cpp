@@ -2,6 +2,7 @@
 // each site alone.
 
 #include "expected_exceptions.h"
+#include "several_threads.h"
 #include "test_meshes.h"
 #include "test_support.h"
 
@@ -236,7 +237,7 @@ void a_polyhedron_is_accepted()
   std::map<Vertex, std::size_t> site;
   std::map<Vertex, double> distance;
   const std::vector<Vertex> sites = {*vertices(polyhedron).begin(), *std::prev(vertices(polyhedron).end())};
-  CHECK(Geodesics::geodesic_Voronoi_labels<CGAL::Parallel_if_available_tag>(
+  CHECK(Geodesics::geodesic_Voronoi_labels<test_support::Several_threads>(
     polyhedron, boost::make_assoc_property_map(site), sites,
     CGAL::parameters::vertex_distance_map(boost::make_assoc_property_map(distance))));
   CHECK_EQUAL(site.size(), num_vertices(polyhedron));

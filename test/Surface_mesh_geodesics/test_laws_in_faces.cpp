@@ -382,17 +382,15 @@ void two_images_that_nearly_touch_do_not_take_turns()
   {
     const auto nearest = [&](double x)
     {
-      return *std::min_element(images.begin(), images.end(), [x](const Image& a, const Image& b)
-                               { return a.distance_at(x) < b.distance_at(x); });
+      double smallest = std::numeric_limits<double>::infinity();
+      for(const Image& g : images)
+        smallest = (std::min)(smallest, g.distance_at(x));
+      return smallest;
     };
-    Partition p;
-    p.start(1., nearest(0).site, nearest(0).distance_at(0), nearest(1).site, nearest(1).distance_at(1));
-    for(const Image& g : images)
-      p.add(g);
-    p.build();
+    const Partition p = partition_of(Edge{nearest(0), nearest(1), images});
     CHECK(p.intervals().size() <= 8);
     for(double x = 0; x <= 1; x += 1. / 64)
-      CHECK_NEAR(partition_distance(p, x), nearest(x).distance_at(x), 64 * epsilon);
+      CHECK_NEAR(partition_distance(p, x), nearest(x), 64 * epsilon);
   }
 }
 

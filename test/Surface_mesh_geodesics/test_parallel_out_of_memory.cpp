@@ -6,23 +6,30 @@
 #define SURFACE_MESH_GEODESICS_TEST_IS_COMPILED_ALONE
 
 #include "intrinsic_mesh_helpers.h"
+#include "several_threads.h"
 #include "test_meshes.h"
 #include "test_support.h"
 #include "thread_team.h"
 
+#include <CGAL/Surface_mesh_geodesics/Geodesic_distance_solver.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Redundant_window_removal.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Diagram_window_keeper.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_complex.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_table.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Parallel_distance_propagation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Edge_window_field.h>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <iostream>
 #include <new>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -65,7 +72,8 @@ void operator delete(void* p, std::size_t) noexcept
 
 namespace {
 
-namespace internal = CGAL::Surface_mesh_geodesics::internal;
+namespace SMG = CGAL::Surface_mesh_geodesics;
+namespace internal = SMG::internal;
 using Propagation =
   internal::Parallel_distance_propagation<double, internal::All_pruning_rules, Thread_team>;
 
@@ -293,10 +301,107 @@ void tables_out_of_memory_keep_their_entries()
   }
 }
 
+// Sources in faces, on edges and at vertices: wherever memory ends while they are inserted, undo() restores the mesh to
+// the same bits, and they can be inserted afterwards.
+void insertions_out_of_memory_change_nothing()
+{
+  using namespace test_meshes;
+  const auto first = intrinsic_mesh(to_face_graph(flat_patch(6, 6, .3, true, 5)));
+  const auto insert_all = [](internal::Source_insertion<double>& insertion)
+  {
+    for(internal::Face_id f = 10; f < 30; ++f)
+      insertion.insert(f, f % 3 == 0 ? internal::Barycentric<double>{.25, .75, 0}
+                                     : internal::Barycentric<double>{.2, .3, .5});
+  };
+  auto complete = first;
+  internal::Source_insertion<double> undisturbed(complete);
+  insert_all(undisturbed);
+  long number_of_failures = 0;
+  for(bool is_complete = false; !is_complete;)
+  {
+    auto mesh = first;
+    internal::Source_insertion<double> insertion(mesh);
+    allocations_left = number_of_failures;
+    is_memory_limited = true;
+    try
+    {
+      insert_all(insertion);
+      is_complete = true;
+    }
+    catch(const std::bad_alloc&)
+    {
+      ++number_of_failures;
+    }
+    is_memory_limited = false;
+    insertion.undo();
+    CHECK(is_same_mesh(mesh, first));
+    insert_all(insertion);
+    CHECK(is_same_mesh(mesh, complete));
+  }
+  std::cout << number_of_failures << " insertions out of memory" << std::endl;
+  CHECK(number_of_failures > 100);
+}
+
+// Sources in faces make a mesh large enough for batches (Propagation_by_size.h). Wherever memory ends meanwhile, the
+// next runs are the same as those of another solver, visit by visit: on the small mesh, and from the same sources in
+// another order, whose faces get other numbers. (Each failure has a solver of its own, as a solver keeps its memory.)
+void meshes_that_grow_out_of_memory_leave_no_trace()
+{
+  using namespace test_meshes;
+  using Face = boost::graph_traits<Mesh>::face_descriptor;
+  using Location = std::pair<Face, std::array<double, 3>>;
+  Indexed_mesh patch = flat_patch(90, 91, .3, true, 5);
+  test_support::Random random(3);
+  for(auto& p : patch.points)
+    p[2] = random.uniform(-.3, .3);
+  const Mesh tm = to_face_graph(patch);
+  std::vector<Location> sources, reversed;
+  for(unsigned int f = 4000; f < 4900; f += 100)
+    sources.emplace_back(Face(f), std::array<double, 3>{.2, .3, .5});
+  reversed.assign(sources.rbegin(), sources.rend());
+  using Solver = SMG::Geodesic_distance_solver<Mesh, test_support::Propagation_of_size>;
+  const auto run = [&](Solver& solver, const auto& from, double radius)
+  {
+    SMG::Propagation_statistics statistics;
+    solver.compute_distances(from, CGAL::parameters::maximum_distance(radius).statistics(&statistics));
+    double sum = 0;
+    for(const Mesh::Vertex_index v : vertices(tm))
+      sum += (std::min)(solver.distance(v), 100.);
+    return std::make_pair(statistics.vertices_visited, sum);
+  };
+  const Mesh::Vertex_index source(2100);
+  Solver another(tm);
+  const auto from_vertex = run(another, source, 5), from_reversed = run(another, reversed, 3);
+  std::size_t number_of_failures = 0;
+  for(bool is_complete = false; !is_complete;)
+  {
+    Solver solver(tm);
+    CHECK(run(solver, source, 5) == from_vertex);
+    allocations_left = static_cast<long>(number_of_failures);
+    is_memory_limited = true;
+    try
+    {
+      solver.compute_distances(sources, CGAL::parameters::maximum_distance(1.));
+      is_complete = true;
+    }
+    catch(const std::bad_alloc&)
+    {
+      ++number_of_failures;
+    }
+    is_memory_limited = false;
+    CHECK(run(solver, source, 5) == from_vertex);
+    CHECK(run(solver, reversed, 3) == from_reversed);
+  }
+  std::cout << number_of_failures << " runs out of memory while the mesh grows" << std::endl;
+  CHECK(number_of_failures > 50);
+}
+
 } // namespace
 
 int main()
 {
+  insertions_out_of_memory_change_nothing();
+  meshes_that_grow_out_of_memory_leave_no_trace();
   tables_out_of_memory_keep_their_entries();
   const auto mesh = test_meshes::intrinsic_mesh(
     test_meshes::to_face_graph(test_meshes::noisy_sphere(3, .1, test_support::announce_seed(7))));

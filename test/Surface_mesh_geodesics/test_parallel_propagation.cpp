@@ -470,6 +470,7 @@ int main()
 #ifdef CGAL_LINKED_WITH_TBB
   public_functions_agree_with_sequential_ones<CGAL::Parallel_tag>(seed, random);
   public_functions_agree_with_sequential_ones<test_support::Several_threads>(seed, random);
+  limits_hold_with_threads<CGAL::Parallel_tag>(seed);
   limits_hold_with_threads<test_support::Several_threads>(seed);
   visitors_end_runs_with_threads<CGAL::Parallel_tag>(seed);
   visitors_end_runs_with_threads<test_support::Several_threads>(seed);

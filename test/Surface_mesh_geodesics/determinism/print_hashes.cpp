@@ -3,6 +3,8 @@
 // scripts/check_determinism.sh compares what differently compiled programs print.
 // Usage: print_hashes MESH...
 
+#include "../include/several_threads.h"
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_geodesics.h>
@@ -18,29 +20,6 @@
 #include <iterator>
 #include <string>
 #include <vector>
-
-// The propagation of Parallel_tag in one thread, which needs no library.
-struct Visits_in_batches : CGAL::Sequential_tag {};
-
-namespace CGAL {
-namespace Surface_mesh_geodesics {
-namespace internal {
-
-template <>
-struct Available_tag<Visits_in_batches>
-{
-  using type = Visits_in_batches;
-};
-
-template <typename FT, typename Rules, typename Keeper>
-struct Propagation_for_tag<Visits_in_batches, FT, Rules, Keeper>
-{
-  using type = Parallel_distance_propagation<FT, Rules, Calling_thread, Keeper>;
-};
-
-} // namespace internal
-} // namespace Surface_mesh_geodesics
-} // namespace CGAL
 
 namespace {
 
@@ -169,7 +148,7 @@ int main(int argc, char* argv[])
     const std::string name = argv[i];
     std::cout << name.substr(name.find_last_of('/') + 1) << " distances "
               << hash_of_distances<CGAL::Sequential_tag>(mesh) << " in batches "
-              << hash_of_distances<Visits_in_batches>(mesh) << " paths " << hash_of_paths(mesh) << " diagram "
-              << hash_of_diagram(mesh) << std::endl;
+              << hash_of_distances<test_support::Visits_in_batches>(mesh) << " paths " << hash_of_paths(mesh)
+              << " diagram " << hash_of_diagram(mesh) << std::endl;
   }
 }

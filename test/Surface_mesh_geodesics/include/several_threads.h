@@ -2,8 +2,8 @@
 #define TEST_SEVERAL_THREADS_H
 
 // Tags for tests. Several_threads is Parallel_tag, but several threads compute distances on small meshes, too; without
-// TBB, it is Sequential_tag. Propagation_of_size chooses as Parallel_tag does (Propagation_by_size.h), and needs no
-// library: one thread does the work of all.
+// TBB, it is Sequential_tag. Visits_in_batches is the same by one thread, and needs no library. So does
+// Propagation_of_size, which chooses as Parallel_tag does (Propagation_by_size.h).
 
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Available_tag.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Propagation_for_tag.h>
@@ -12,6 +12,7 @@
 
 namespace test_support {
 
+struct Visits_in_batches : CGAL::Sequential_tag {};
 struct Propagation_of_size : CGAL::Sequential_tag {};
 
 } // namespace test_support
@@ -19,6 +20,18 @@ struct Propagation_of_size : CGAL::Sequential_tag {};
 namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
+
+template <>
+struct Available_tag<test_support::Visits_in_batches>
+{
+  using type = test_support::Visits_in_batches;
+};
+
+template <typename FT, typename Rules, typename Keeper>
+struct Propagation_for_tag<test_support::Visits_in_batches, FT, Rules, Keeper>
+{
+  using type = Parallel_distance_propagation<FT, Rules, Calling_thread, Keeper>;
+};
 
 template <>
 struct Available_tag<test_support::Propagation_of_size>

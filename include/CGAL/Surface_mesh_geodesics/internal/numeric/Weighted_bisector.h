@@ -110,14 +110,14 @@ struct Additively_weighted_point
 
 // Returns whether the distance a is smaller than b beyond the rounding of images: stricter than is_clearly_less().
 //
-// Formula: a < b (1 - nearer()). Requires: a, b >= 0. Ties: neither of two distances that tie is nearer, so that the
-// current image stays.
+// Formula: a < b (1 - margin). Requires: a, b >= 0; the margin is small. Ties: neither of two distances that tie is
+// nearer, so that the current image stays.
 // Laws: antisymmetric and transitive; no distance is nearer than itself; scaling both by a power of two keeps the
 // answer.
 template <typename FT>
-bool is_nearer(const FT& a, const FT& b)
+bool is_nearer(const FT& a, const FT& b, const FT& margin = Tolerance<FT>::nearer())
 {
-  return a < b * (1 - Tolerance<FT>::nearer());
+  return a < b * (1 - margin);
 }
 
 // The same for the distances of p from a and from b. Frame: any in which the three points are given. A point at

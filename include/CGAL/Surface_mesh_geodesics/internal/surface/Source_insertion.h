@@ -120,11 +120,15 @@ public:
     m_number_of_faces = m_mesh.number_of_faces();
   }
 
-  // Removes all inserted vertices: restores each face, vertex and kind to the same bits. Takes time for
-  // what the insertions have changed. Changes are taken back in reverse order, since a face may have been saved several
-  // times. The mesh is truncated last: among the saved faces and kinds are those of faces and vertices that were added.
+  // Removes all inserted vertices: restores each face, vertex and kind to the same bits. Takes time for what the
+  // insertions have changed. Changes are taken back in reverse order, since a face may have been saved several times.
+  // The mesh is truncated last: among the saved faces and kinds are those of faces and vertices that were added.
+  //
+  // Does so after insert() has thrown, too, wherever memory ended: each change is remembered before it is made. (The
+  // tables of parts may then know a face although no face has been saved.)
   void undo()
   {
+    m_parts.clear();
     if(m_saved.empty())
       return;
     for(; !m_renamed.empty(); m_renamed.pop_back())
@@ -134,7 +138,6 @@ public:
     for(; !m_saved_kinds.empty(); m_saved_kinds.pop_back())
       m_mesh.set_kind(m_saved_kinds.back().first, m_saved_kinds.back().second);
     m_mesh.truncate(m_number_of_vertices, m_number_of_faces);
-    m_parts.clear();
     CGAL_expensive_assertion(are_invariants_kept(m_mesh));
   }
 
@@ -265,10 +268,10 @@ private:
     std::sort(renaming.vertices.begin(), renaming.vertices.end());
     renaming.vertices.erase(std::unique(renaming.vertices.begin(), renaming.vertices.end()),
                             renaming.vertices.end());
-    rename(renaming.vertices, renaming.from, renaming.to);
-    for(const Vertex_id u : renaming.vertices)
+    m_renamed.push_back(std::move(renaming)); // before the change, for undo()
+    rename(m_renamed.back().vertices, m_renamed.back().from, m_renamed.back().to);
+    for(const Vertex_id u : m_renamed.back().vertices)
       mark(u, Mesh::REFINED);
-    m_renamed.push_back(std::move(renaming));
     m_mesh.set_halfedge(v, leaving);
     mark_near_vertices(v);
   }

@@ -389,11 +389,9 @@ private:
     const bool is_last_ray = m_has_rays && way <= Tolerance<FT>::touching() * m_length;
     if(!is_last_ray && (g.site == c.site || way <= width() || way > Tolerance<FT>::tied_part() * m_length))
       return false;
+    const FT margin = Tolerance<FT>::nearer() / 2;
     const auto is_before = [&](const FT& x)
-    {
-      const FT at_x = g.distance_at(x);
-      return c.distance_at(x) + rounding_of_rays() < at_x - at_x * (Tolerance<FT>::nearer() / 2);
-    };
+    { return is_nearer<FT>(c.distance_at(x) + rounding_of_rays(), g.distance_at(x), margin); };
     const std::array<FT, 4> places{from, foot_of(g, from, to), foot_of(c, from, to),
                                    (std::min)((std::max)(from, equal_slopes(g, c, from)), to)};
     return std::none_of(places.begin(), places.end(), is_before) && (is_last_ray || !is_before(from - m_length));

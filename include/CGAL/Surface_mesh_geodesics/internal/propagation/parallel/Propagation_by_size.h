@@ -11,8 +11,8 @@
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_PARALLEL_PROPAGATION_BY_SIZE_H
 
 // The propagation of the parallel tag: several threads on a mesh that is large enough, else one thread, which computes
-// as with the sequential tag. On a small mesh a visit has few windows. The marks of a batch and the messages between
-// visits take a tenth of its time there, and two threads gain little.
+// as with the sequential tag. On a small mesh a visit has few windows, so that the marks of a batch and the messages
+// between visits cost more.
 //
 // The choice depends on the number of faces only. So the bits of the result do not depend on the number of threads.
 
@@ -41,8 +41,7 @@ public:
   using Mesh = Intrinsic_mesh<FT>;
   using Field = Vertex_distance_field<FT>;
 
-  // Meshes with fewer faces are small. The parallel propagation by one thread took 6 to 13 % longer than the sequential
-  // one on meshes of 5,000 to 13,000 faces, and 2 to 3 % longer on meshes of 17,000 to 20,000.
+  // Meshes with fewer faces are small: there, one thread would take more than 3 % longer than with the sequential tag.
   static constexpr std::size_t smallest_shared_mesh = 16384;
 
   Propagation_by_size(const Mesh& mesh, Field& field) : m_mesh(mesh), m_field(field) { restart(); }
