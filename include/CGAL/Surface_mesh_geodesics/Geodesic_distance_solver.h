@@ -48,12 +48,13 @@ namespace Surface_mesh_geodesics {
 The class `Geodesic_distance_solver` computes exact geodesic distances on one triangle mesh again and again,
 each time from another source or other sources.
 
-It gives the distances of `geodesic_distances()` with the same tag, to the same bits. (With `Parallel_tag`, the last
-digits may differ if the sources do not reach all of the mesh.) The constructor reads the mesh once, and each
-computation reuses the memory of the one before. A computation that ends early, at a radius or when the distances of
-some targets are final, takes time proportional to the number of windows in the area that it reaches, and none for the
-rest of the mesh. Curves have tables of their own, which have the size of the mesh: a computation from curves makes them
-if the one before was from points, and the next one from points frees them.
+It gives the distances of `geodesic_distances()` with the same tag, to the same bits if the mesh is connected. (That
+function reads only what is connected to the sources. On other meshes the last digits may differ, and this class waits
+also for sides of targets on walls that no source reaches.) The constructor reads the mesh once, and each computation
+reuses the memory of the one before. A computation that ends early, at a radius or when the distances of some targets
+are final, takes time proportional to the number of windows in the area that it reaches, and none for the rest of the
+mesh. Curves have tables of their own, which have the size of the mesh: a computation from curves makes them if the one
+before was from points, and the next one from points frees them.
 
 \code
 Geodesic_distance_solver<Mesh> solver(tm);

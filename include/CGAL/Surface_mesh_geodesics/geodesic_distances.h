@@ -168,8 +168,7 @@ those of `Polyhedron_items_with_id_3`) must be set before, as the first call wou
                    edge descriptor as key type and `bool` as value type}
     \cgalParamDefault{an empty range: none}
     \cgalParamExtra{A curve may cross such edges, and is a source on all sides of those on which it is. With `targets`
-                    on such edges, the computation waits for all of their sides, also for those that no source
-                    reaches.}
+                    on such edges, the computation waits for all of their sides that are connected to a source.}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
