@@ -61,6 +61,7 @@ RAY_SECTORS = INTERNAL + "paths/Ray_sectors.h"
 PATH_DIRECTIONS = INTERNAL + "interface/directions/path_directions.h"
 STRAIGHT = INTERNAL + "paths/Straight_piece.h"
 ISOLINES = INTERNAL + "paths/isoline_crossings.h"
+ISOLINE_GRAPH = INTERNAL + "paths/Isoline_graph.h"
 ISOLINE_SWEEP = INTERNAL + "paths/Isoline_sweep.h"
 FACE_DISTANCES = INTERNAL + "paths/Face_distances.h"
 STRIP_FIELD = INTERNAL + "window/strips/Edge_strip_field.h"
@@ -668,6 +669,13 @@ MUTANTS = [
     ("sides_of_isolines_by_rounding", ISOLINES,
      "return value * (1 - Tolerance<FT>::isoline_value());", "return value;",
      "an edge along a line has points on both sides of it", (SIGNED_ISOLINES,)),
+    ("isolines_in_any_direction", ISOLINE_GRAPH,
+     "are_near_cut_off ? join(b, a) : join(a, b);", "a < b ? join(b, a) : join(a, b);",
+     "farther points are on the left of an isoline", ("test_isoline_directions",)),
+    ("isolines_reversed", ISOLINE_GRAPH,
+     "const bool are_near_cut_off = even_arcs_are_near == (shift == 0);",
+     "const bool are_near_cut_off = even_arcs_are_near != (shift == 0);",
+     "farther points are on the left of all isolines", ("test_isoline_directions",)),
     ("isoline_touching_edge", ISOLINES,
      "return nearest < value && value <= farthest;", "return false && nearest < farthest;",
      "lines that cross an edge twice are not found there", (ISOLINE_TEST,)),

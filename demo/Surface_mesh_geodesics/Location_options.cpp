@@ -295,7 +295,11 @@ std::vector<Location> Location_options::required_locations(const Arguments& argu
   if(!are_given(arguments))
     throw Command_error(Exit_code::BAD_USAGE, "no " + m_role + " is given; use --" + m_role + ", "
                                                 + (m_kind == Kind::VERTICES ? "" : "--" + m_role + "-point, ")
-                                                + "--" + m_role + "-file or --" + m_role + "-random");
+                                                + "--" + m_role + "-file"
+                                                + (m_kind != Kind::PLACES_AND_CURVES
+                                                     ? ""
+                                                     : ", --" + m_role + "-border, --" + m_role + "-curve")
+                                                + " or --" + m_role + "-random");
   return locations(arguments, mesh, console);
 }
 

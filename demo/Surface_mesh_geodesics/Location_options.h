@@ -23,11 +23,12 @@ struct Location
 
 // The options that specify locations: for the role "source" they are --source, --source-point, --source-file and
 // --source-random. They may be combined, and all but the last one repeated. Where locations must be vertices, there is
-// no --source-point, and files contain vertices only.
+// no --source-point, and files contain vertices only. Where curves may be given as well (Curve_options.h), messages
+// name their options, too.
 class Location_options
 {
 public:
-  enum class Kind { ANY_PLACES, VERTICES };
+  enum class Kind { ANY_PLACES, VERTICES, PLACES_AND_CURVES };
 
   explicit Location_options(const std::string& role, Kind kind = Kind::ANY_PLACES) : m_role(role), m_kind(kind) {}
 

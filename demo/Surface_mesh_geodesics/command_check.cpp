@@ -34,7 +34,7 @@ using Certificate = CGAL::Surface_mesh_geodesics::Geodesic_distance_certificate<
 using Condition = Certificate::Condition;
 using Tag = CGAL::Parallel_if_available_tag; // the result does not depend on the tag
 
-const Location_options source_options("source");
+const Location_options source_options("source", Location_options::Kind::PLACES_AND_CURVES);
 
 void declare(Option_descriptions& options)
 {

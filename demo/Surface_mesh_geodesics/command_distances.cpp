@@ -29,7 +29,7 @@ namespace geodesics_demo {
 
 namespace {
 
-const Location_options source_options("source");
+const Location_options source_options("source", Location_options::Kind::PLACES_AND_CURVES);
 
 // More lines would hide the surface and fill the disk: on a large mesh each has thousands of points.
 constexpr std::size_t largest_number_of_isolines = 1000;

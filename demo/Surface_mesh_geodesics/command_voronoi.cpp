@@ -40,7 +40,7 @@ namespace {
 
 using Diagram = CGAL::Surface_mesh_geodesic_Voronoi_diagram<CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>>;
 
-const Location_options site_options("site");
+const Location_options site_options("site", Location_options::Kind::PLACES_AND_CURVES);
 
 void declare(Option_descriptions& options)
 {

@@ -217,8 +217,8 @@ int checked_run(const std::vector<std::string>& words)
   }
   catch(const po::too_many_positional_options_error&)
   {
-    return fail(Exit_code::BAD_USAGE, "more than one mesh is given; options begin with two dashes, and names with "
-                                      "blanks need quotes");
+    return fail(Exit_code::BAD_USAGE, "more than one mesh is given; options begin with two dashes, lists have commas "
+                                      "and no blanks (0,1,2), and names with blanks need quotes");
   }
   catch(const po::error& error)
   {

@@ -326,7 +326,8 @@ class Solver:
                        progress: Progress | None = None) -> list[list[np.ndarray]]:
         """Returns for each level the lines of all points at this distance from the sources, arrays of shape (k, 3).
 
-        Points on edges are exact. A closed line ends with its first point.
+        Points on edges are exact, and chords join them in faces. A closed line ends with its first point. Nearer
+        points are on the left of a line, seen from the side from which triangles are counterclockwise.
 
         >>> import surface_mesh_geodesics as smg
         >>> s = smg.Solver([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])

@@ -819,14 +819,17 @@ public:
   /// @{
 
   /// writes the lines of all points at the distance `value` from the source points as polylines. No point comes twice
-  /// in a row. A closed line ends with its first point; any other one begins and ends at the border.
+  /// in a row. A closed line ends with its first point; any other one begins and ends at the border. Nearer points are
+  /// on the left of a line.
   ///
-  /// The points on edges have an error of at most \f$ 10^{-12} \f$ of the length of the edge, or of the rounding of
-  /// the distance if that is more. Segments in the faces join them. A vertex at the distance `value` is a point of the
-  /// lines that separate nearer points from farther ones there. If all points around it are nearer, it is a point by
-  /// itself and is not written. Two crossings of an edge that are nearer to each other than \f$ 10^{-4} \f$ of its
-  /// length may be left out. So may a closed line that meets no edge, around a point that is farther than all edges of
-  /// its face.
+  /// The points on edges have an error of at most \f$ 10^{-12} \f$ of the length of the edge, or of the rounding of the
+  /// distance if that is more. Chords in the faces join them: a chord of length c is nearer than the line by up to
+  /// about c<sup>2</sup> / (8 r), where r is the distance of the line from the vertex at which its paths begin or bend
+  /// last, and by nothing where paths are parallel. Where paths from two sides meet in a face, the chord cuts off the
+  /// corner of the line. A vertex at the distance `value` is a point of the lines that separate nearer points from
+  /// farther ones there. If all points around it are nearer, it is a point by itself and is not written. Two crossings
+  /// of an edge that are nearer to each other than \f$ 10^{-4} \f$ of its length may be left out. So may a closed line
+  /// that meets no edge, around a point that is farther than all edges of its face.
   /// There is no line where no source point reaches, and none for a value that is zero, negative, infinite or not a
   /// number. Takes time linear in the number of faces, and a number of face queries around each point.
   ///
@@ -846,7 +849,8 @@ public:
   /// distance `-value` on the left of the first curve, a positive one for those on the other side. The curves have to
   /// separate the surface, so that each line is on one side.
   ///
-  /// The lines are those of `isolines()` for the distance without its sign, in the same order. The side of a line is
+  /// The lines are those of `isolines()` for the distance without its sign, in the same order and direction: points
+  /// nearer to the curves are on the left of a line. The side of a line is
   /// exact: the faces that it runs through decide it, and no distance. There is no line for 0, which is that of the
   /// curves. Takes the time of `isolines()`.
   ///

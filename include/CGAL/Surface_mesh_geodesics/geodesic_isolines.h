@@ -33,11 +33,16 @@ namespace Surface_mesh_geodesics {
 writes the isolines of given distances from a source, or from the nearest of several sources, as polylines.
 
 The lines are those of `Surface_mesh_geodesic_paths::isolines()`: no point comes twice in a row, a closed line ends with
-its first point, and any other one begins and ends at the border. There, all windows are kept, so that lines of any
-distance may be asked for later. Here, the distances are known from the start: the lines are found while the wavefront
-passes, which takes little more memory than `geodesic_distances()` (see \ref Surface_mesh_geodesics_isolines). The
-distances of the vertices are computed on the way, and are written if `vertex_distance_map` is among the named
-parameters; without it and without `nearest_source_map`, the propagation ends behind the largest level.
+its first point, and any other one begins and ends at the border. Nearer points are on the left of a line. Its points
+are on edges and exact. Inside a face a chord joins two of them: a chord of length c is nearer than the line by up to
+about c<sup>2</sup> / (8 r), where r is the distance of the line from the vertex at which its paths begin or bend last.
+Where paths from two sides meet in a face, the chord cuts off the corner of the line.
+
+That class keeps all windows, so that lines of any distance may be asked for later. Here, the distances are known from
+the start: the lines are found while the wavefront passes, which takes little more memory than `geodesic_distances()`
+(see \ref Surface_mesh_geodesics_isolines). The distances of the vertices are computed on the way, and are written if
+`vertex_distance_map` is among the named parameters; without it and without `nearest_source_map`, the propagation ends
+behind the largest level.
 
 The sources may be curves. Then the lines are the curves parallel to them, on both sides; those at the distance 0 are
 the curves themselves, and are not written. (`Surface_mesh_geodesic_paths::signed_isolines()` chooses one side.)

@@ -41,7 +41,8 @@ point of the surface, and shortest paths join neighbors, as in `shortest_path_cu
 
 The curve is closed if the last point of the polyline is the first one. That is how polylines of \cgal tell it, those of
 `geodesic_isolines()` among them. So an isoline becomes a source of distances, a site of a diagram, or the curve of
-signed distances. (Arcs and boundaries of Voronoi diagrams have locations, of which `Surface_curve` makes curves.)
+signed distances, which are negative where the source of the isoline is. (Arcs and boundaries of Voronoi diagrams have
+locations, of which `Surface_curve` makes curves.)
 
 Neighbors in one face are joined by a straight segment, so the curve of a polyline on the surface is that polyline. Its
 length is then that of the polyline. A point beside an edge or a vertex, up to the rounding of its coordinates, counts

@@ -102,7 +102,8 @@ is_silent distances square.off --source 0 --quiet > quiet.csv
 cmp square.csv quiet.csv
 
 # Wrong command lines.
-rejects 2 "no source is given" distances "$grid"
+rejects 2 "no source is given; use --source, --source-point, --source-file, --source-border, --source-curve or" \
+  distances "$grid"
 rejects 2 "no mesh is given" distances --source 0
 rejects 2 "there is no vertex 16; the vertices of the mesh are 0 to 15" distances "$grid" --source 16
 rejects 2 "'-1' is not a vertex index" distances "$grid" --source -1

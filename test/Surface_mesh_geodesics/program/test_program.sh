@@ -78,7 +78,7 @@ for subcommand in $subcommands; do
   rejects 3 "none.off: the file does not exist" "$subcommand" none.off "${arguments[@]}"
   rejects 3 "empty.off: the file is empty" "$subcommand" empty.off "${arguments[@]}"
   rejects 3 "no_last_faces.off, line 21: the file ends after 2 of 18 faces" "$subcommand" no_last_faces.off "${arguments[@]}"
-  rejects 2 "more than one mesh is given" "$subcommand" "$grid" "${arguments[@]}" another.off
+  rejects 2 "lists have commas and no blanks (0,1,2)" "$subcommand" "$grid" "${arguments[@]}" another.off
 done
 rejects 3 ".: is a folder, not a file" info .
 rejects 3 "/dev/null: the name must end with one of .off" info /dev/null

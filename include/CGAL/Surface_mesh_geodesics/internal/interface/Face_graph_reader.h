@@ -280,7 +280,8 @@ private:
   [[noreturn]] void throw_for_index(const char* fault) const
   {
     throw Invalid_geodesic_input(Reason::INVALID_INDEX_MAP,
-                                 "the index of face " + std::to_string(m_faces.size()) + fault, m_faces.size());
+                                 "the index of face " + std::to_string(m_faces.size()) + fault
+                                   + " (indices that a mesh stores have to be set before)", m_faces.size());
   }
 
   // Notes which face has an index. Throws if the index is out of range, or taken. Requires: the face is the next one,

@@ -43,9 +43,14 @@ struct Isoline_point
   FT t;
 };
 
-// Invariants, when all faces have been connected: each point has two neighbors, one in each face at its edge, or one at
-// the border of the mesh; so points and neighbors form lines and closed lines. The number of crossings around a face is
-// even, because each edge has an odd number of them if and only if its ends are on different sides of the value.
+// Lines have the nearer points on their left. Where the boundary of a face, counterclockwise, goes over from nearer to
+// farther points, a line comes into the face; where it goes back, a line leaves it. The face across sees the boundary
+// the other way, so a line that leaves one face comes into the other.
+//
+// Invariants, when all faces have been connected: each point has a successor in one of the faces at its edge, and a
+// predecessor in the other one; at the border of the mesh one of them is missing. So points form lines and closed
+// lines. The number of crossings around a face is even, because each edge has an odd number of them if and only if its
+// ends are on different sides of the value.
 //
 // The points of an edge belong to the first halfedge of the edge (Intrinsic_mesh::is_first_of_edge()).
 template <typename FT>
@@ -75,7 +80,7 @@ public:
   // each level.
   void add(std::uint32_t level, const FT& t)
   {
-    m_points.push_back(Node{m_edge, level, t, {null_id, null_id}});
+    m_points.push_back(Node{m_edge, level, t, null_id, null_id});
   }
 
   // Returns whether the edge has points.
@@ -92,7 +97,7 @@ public:
   // farther in turn; after the first crossing the arc is on the other side of the value than corner 0. With more than
   // two crossings the distance at their centroid decides whether the segments cut off the nearer arcs or the farther
   // ones: those that are not on the side of the centroid. A shift of 0 cuts off the arcs behind points with even
-  // numbers, a shift of 1 the others.
+  // numbers, a shift of 1 the others. (From a to b, counterclockwise, the arc that is cut off is on the right of ab.)
   // `starts_near` tells whether corner 0 is nearer than the level, is_near(b) whether the point of the face with the
   // barycentric coordinates b is; it is called at most once. Requires: the edges of the face have ended.
   template <typename IsNear>
@@ -106,8 +111,12 @@ public:
     const bool middle_is_near = n > 2 && is_near(middle_of(f));
     const bool even_arcs_are_near = !starts_near; // those behind the points with even numbers
     const std::size_t shift = n > 2 && even_arcs_are_near == middle_is_near ? 1 : 0;
+    const bool are_near_cut_off = even_arcs_are_near == (shift == 0);
     for(std::size_t i = 0; i < n; i += 2)
-      join(f, m_around[(i + shift) % n], m_around[(i + shift + 1) % n]);
+    {
+      const std::uint32_t a = m_around[(i + shift) % n], b = m_around[(i + shift + 1) % n];
+      are_near_cut_off ? join(b, a) : join(a, b);
+    }
   }
 
   // Puts the points in an order of their own: by level, then by halfedge, then along it. Connections stay. No edges are
@@ -129,15 +138,15 @@ public:
       sorted.push_back(m_points[i]);
     }
     for(Node& p : sorted)
-      for(std::uint32_t& neighbor : p.neighbors)
-        neighbor = neighbor == null_id ? null_id : place[neighbor];
+      for(std::uint32_t* neighbor : {&p.previous, &p.next})
+        *neighbor = *neighbor == null_id ? null_id : place[*neighbor];
     m_points.swap(sorted);
     m_of_edge.clear();
   }
 
-  // Calls line(points, is_closed) for each line of a level: first those that end at the border, each from its end with
-  // the smaller number, then the closed ones, each from its point with the smallest number. A line has at least two
-  // points, no vertex twice in a row, and points that follow each other share a face.
+  // Calls line(points, is_closed) for each line of a level, in its direction: first those that end at the border, by
+  // the number of their first point, then the closed ones, each from its point with the smallest number. A line has at
+  // least two points, no vertex twice in a row, and points that follow each other share a face.
   // Requires: all faces have been connected, and sort() was called, or the faces came in ascending order and there is
   // one level only.
   template <typename Line>
@@ -151,8 +160,8 @@ public:
     for(const bool is_closed : {false, true})
       for(std::uint32_t i = begin; i < end; ++i)
       {
-        const std::array<std::uint32_t, 2>& neighbors = m_points[i].neighbors;
-        if(is_done[i - begin] || neighbors[0] == null_id || (!is_closed && neighbors[1] != null_id))
+        const bool is_first = m_points[i].previous == null_id && m_points[i].next != null_id;
+        if(is_done[i - begin] || !(is_closed ? m_points[i].next != null_id : is_first))
           continue;
         std::vector<Point> points = line_from(i, begin, is_done);
         if(is_closed && points.size() > 1 && is_same_vertex(points.back(), points.front()))
@@ -166,14 +175,13 @@ public:
   std::size_t memory() const { return m_points.capacity() * sizeof(Node); }
 
 private:
-  // A point; `neighbors` are those on its line, null_id if missing: first the one in the face of the halfedge, then the
-  // one in the face on the other side.
+  // A point, and the points before and after it on its line, null_id if missing.
   struct Node
   {
     Halfedge_id halfedge;
     std::uint32_t level;
     FT t;
-    std::array<std::uint32_t, 2> neighbors;
+    std::uint32_t previous, next;
   };
 
   // The first point of a level, or of the first one behind it, among points that are sorted by level.
@@ -224,37 +232,26 @@ private:
     return b;
   }
 
-  // Makes two points neighbors on a line, in the face f.
-  void join(Face_id f, std::uint32_t a, std::uint32_t b)
+  // Lets b follow a on a line.
+  void join(std::uint32_t a, std::uint32_t b)
   {
-    neighbor_in_face(f, a) = b;
-    neighbor_in_face(f, b) = a;
-  }
-
-  // The neighbor of a point in a face. Both faces of an edge may be the same one, which asks twice.
-  std::uint32_t& neighbor_in_face(Face_id f, std::uint32_t i)
-  {
-    Node& p = m_points[i];
-    return p.neighbors[face_of(p.halfedge) != f || p.neighbors[0] != null_id ? 1 : 0];
+    CGAL_assertion(m_points[a].next == null_id && m_points[b].previous == null_id);
+    m_points[a].next = b;
+    m_points[b].previous = a;
   }
 
   // Returns the points of the line from point i on, without a vertex twice in a row, and marks them. The walk ends
-  // where a point has no second neighbor, or where it meets a point that is marked: the first one of a closed line.
+  // where a point has no successor, or where it meets a point that is marked: the first one of a closed line.
   // The marks begin with that of point `begin`.
   std::vector<Point> line_from(std::uint32_t i, std::uint32_t begin, std::vector<char>& is_done) const
   {
     std::vector<Point> points;
-    std::uint32_t previous = null_id, current = i;
-    while(current != null_id && !is_done[current - begin])
+    for(std::uint32_t current = i; current != null_id && !is_done[current - begin]; current = m_points[current].next)
     {
       is_done[current - begin] = 1;
       const Point p{m_points[current].halfedge, m_points[current].t};
       if(points.empty() || !is_same_vertex(points.back(), p))
         points.push_back(p);
-      const std::array<std::uint32_t, 2>& next = m_points[current].neighbors;
-      const std::uint32_t step = next[0] != previous ? next[0] : next[1];
-      previous = current;
-      current = step;
     }
     return points;
   }

@@ -131,7 +131,8 @@ private:
   {
     const std::size_t element = curve == null_id ? Invalid_geodesic_input::no_element : std::size_t(curve);
     throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::INVALID_CURVE,
-                                 "the curves do not separate the surface: their two sides are connected", element);
+                                 "the curves do not separate the surface: their two sides are connected "
+                                 "(is one open that should be closed?)", element);
   }
 
   // All tables have the size of the refined mesh, and live as long as the curves are inserted.
