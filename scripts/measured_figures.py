@@ -348,7 +348,8 @@ def figures(results):
     add_range("earlier_ratio", values("earlier_version", "time_ratio", subdivisions=0), "{:.2f}".format)
     found["earlier_ratio_median"] = f"{statistics.median(values('earlier_version', 'time_ratio', subdivisions=0)):.2f}"
     found["earlier_ratio_fine"] = f"{values('earlier_version', 'time_ratio', subdivisions=2)[0]:.2f}"
-    add_range("separate_speedup", values("threads", "speedup", threads="2 separate runs"), "{:.1f}".format)
+    add_range("separate_speedup", [float(row["speedup"]) for row in rows("threads", threads="2 separate runs")
+                                   if int(row["faces"]) >= 10000], "{:.1f}".format)
     for n in (8, 16):
         found[f"speedup_{n}_predicted"] = f"{values('phases', f'predicted_{n}', subdivisions=2)[0]:.1f}"
     for name, numbers_of_sites in (("few", (30,)), ("many", (1000, 2000))):
