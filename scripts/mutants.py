@@ -780,7 +780,7 @@ MUTANTS = [
      "if((from > 0 || !has_been_left) && is_taken_over_between(from, to, left, g, c))",
      "an image that rounding has left at a point stays away, although it is nearer farther on", (CROWDED,)),
     ("extent_of_divided_face_unknown", INTRINSIC_MESH,
-     "if(f >= number_built)", "if(f >= m_faces.size())",
+     "if(f >= m_number_of_faces_built)", "if(f >= m_faces.size())",
      "a part of a divided face is taken for a face of the last component", (SMALL,)),
     ("curve_drawn_on_to_its_end", FACE_PARTITION,
      "    if(completion().is_taken_over_before(f, p))\n      completion().lead_back(f, p);\n", "",

@@ -228,9 +228,8 @@ public:
     CGAL_assertion(f < number_of_faces());
     if(m_edge_components.empty())
       return 1;
-    const std::size_t number_built = m_faces.size() - m_extents_of_added_faces.size();
-    if(f >= number_built)
-      return m_extents_of_added_faces[f - number_built];
+    if(f >= m_number_of_faces_built)
+      return m_extents_of_added_faces[f - m_number_of_faces_built];
     const auto next = std::upper_bound(m_edge_components.begin(), m_edge_components.end(), f,
                                        [](Face_id g, const Edge_component& c) { return g < c.first; });
     return (next - 1)->longest_edge;
@@ -245,6 +244,7 @@ public:
   {
     reserve_large(m_faces, number_of_faces + room_for_sources);
     m_faces.resize(number_of_faces);
+    m_number_of_faces_built = number_of_faces;
     m_edge_components.clear();
     m_extents_of_added_faces.clear();
   }
@@ -306,7 +306,6 @@ public:
     }
     m_faces_crossed_by_lengths
       = 3. * static_cast<double>(number_of_faces()) + sum / (is_lost ? height_of_thick : height);
-    m_number_of_faces_before = number_of_faces();
     count_most_faces_crossed();
   }
 
@@ -322,19 +321,11 @@ public:
   }
 
   // Adds a face, a part of the face `whole`, and returns its index. The opposites of its neighbors are the caller's
-  // task. All references to faces become invalid. If it throws, nothing has changed.
+  // task. All references to faces become invalid. If it throws, truncate() has to follow.
   Face_id add_face(const Face& f, Face_id whole)
   {
     m_extents_of_added_faces.push_back(extent_around(whole));
-    try
-    {
-      m_faces.push_back(f);
-    }
-    catch(...)
-    {
-      m_extents_of_added_faces.pop_back();
-      throw;
-    }
+    m_faces.push_back(f);
     count_most_faces_crossed();
     return static_cast<Face_id>(m_faces.size() - 1);
   }
@@ -346,7 +337,7 @@ public:
     CGAL_assertion(number_of_vertices <= this->number_of_vertices() && number_of_faces <= this->number_of_faces());
     m_vertex_halfedge.resize(number_of_vertices);
     m_vertex_kind.resize(number_of_vertices);
-    m_extents_of_added_faces.resize(m_extents_of_added_faces.size() - (m_faces.size() - number_of_faces));
+    m_extents_of_added_faces.resize(number_of_faces - m_number_of_faces_built);
     m_faces.resize(number_of_faces);
     count_most_faces_crossed();
   }
@@ -552,7 +543,7 @@ private:
     m_most_faces_crossed = number_of_faces();
     if(m_faces_crossed_by_lengths > 0)
     {
-      const double parts = static_cast<double>(number_of_faces() - m_number_of_faces_before + 1);
+      const double parts = static_cast<double>(number_of_faces() - m_number_of_faces_built + 1);
       m_most_faces_crossed
         = static_cast<std::size_t>((std::min)(parts * m_faces_crossed_by_lengths, largest_faces_crossed));
     }
@@ -571,9 +562,8 @@ private:
   std::vector<Edge_component> m_edge_components; // empty if there is one
   std::vector<FT> m_extents_of_added_faces;      // see extent_around()
   FT m_unit = 1;
-  std::size_t m_most_faces_crossed = 0;
-  double m_faces_crossed_by_lengths = 0;    // 0 for a surface with points
-  std::size_t m_number_of_faces_before = 0; // before sources divided them; of a surface without points only
+  std::size_t m_most_faces_crossed = 0, m_number_of_faces_built = 0; // before sources divided them
+  double m_faces_crossed_by_lengths = 0;                             // 0 for a surface with points
 };
 
 } // namespace internal
