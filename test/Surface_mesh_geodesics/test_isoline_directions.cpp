@@ -33,14 +33,6 @@ using Point = Kernel::Point_3;
 using Vertex = Mesh::Vertex_index;
 using Curve = SMG::Surface_curve<Mesh>;
 
-std::vector<Vertex> random_vertices(const Mesh& tm, std::size_t n, test_support::Random& random)
-{
-  std::vector<Vertex> result;
-  for(std::size_t i = 0; i < n; ++i)
-    result.push_back(Vertex(static_cast<Mesh::size_type>(random.index(tm.number_of_vertices()))));
-  return result;
-}
-
 double distance_in_plane(const Mesh& tm, const std::vector<Vertex>& sources, double x, double y)
 {
   double result = std::numeric_limits<double>::infinity();
@@ -53,7 +45,7 @@ double distance_in_plane(const Mesh& tm, const std::vector<Vertex>& sources, dou
 void lines_in_the_plane(const Mesh& tm, std::uint64_t seed)
 {
   test_support::Random random(seed);
-  const std::vector<Vertex> sources = random_vertices(tm, 3, random);
+  const std::vector<Vertex> sources{random_vertex(tm, random), random_vertex(tm, random), random_vertex(tm, random)};
   const double size = size_of(tm);
   std::vector<double> levels;
   for(std::size_t i = 0; i < 12; ++i)
@@ -81,7 +73,7 @@ void lines_in_the_plane(const Mesh& tm, std::uint64_t seed)
 std::size_t lines_on_a_surface(const Mesh& tm, std::uint64_t seed)
 {
   test_support::Random random(seed);
-  const std::vector<Vertex> sources = random_vertices(tm, 2, random);
+  const std::vector<Vertex> sources{random_vertex(tm, random), random_vertex(tm, random)};
   std::vector<double> distance(tm.number_of_vertices()), signed_distance(distance);
   const auto index = get(boost::vertex_index, tm);
   SMG::geodesic_distances(tm, boost::make_iterator_property_map(distance.begin(), index), sources);

@@ -301,6 +301,25 @@ void tables_out_of_memory_keep_their_entries()
   }
 }
 
+// Calls a function whose n-th allocation fails. Returns whether it has made fewer.
+template <class Function>
+bool has_memory(long n, const Function& function)
+{
+  allocations_left = n;
+  is_memory_limited = true;
+  bool result = true;
+  try
+  {
+    function();
+  }
+  catch(const std::bad_alloc&)
+  {
+    result = false;
+  }
+  is_memory_limited = false;
+  return result;
+}
+
 // Sources in faces, on edges and at vertices: wherever memory ends while they are inserted, undo() restores the mesh to
 // the same bits, and they can be inserted afterwards.
 void insertions_out_of_memory_change_nothing()
@@ -321,18 +340,8 @@ void insertions_out_of_memory_change_nothing()
   {
     auto mesh = first;
     internal::Source_insertion<double> insertion(mesh);
-    allocations_left = number_of_failures;
-    is_memory_limited = true;
-    try
-    {
-      insert_all(insertion);
-      is_complete = true;
-    }
-    catch(const std::bad_alloc&)
-    {
-      ++number_of_failures;
-    }
-    is_memory_limited = false;
+    is_complete = has_memory(number_of_failures, [&] { insert_all(insertion); });
+    number_of_failures += is_complete ? 0 : 1;
     insertion.undo();
     CHECK(is_same_mesh(mesh, first));
     insert_all(insertion);
@@ -372,23 +381,14 @@ void meshes_that_grow_out_of_memory_leave_no_trace()
   const Mesh::Vertex_index source(2100);
   Solver another(tm);
   const auto from_vertex = run(another, source, 5), from_reversed = run(another, reversed, 3);
-  std::size_t number_of_failures = 0;
+  long number_of_failures = 0;
   for(bool is_complete = false; !is_complete;)
   {
     Solver solver(tm);
     CHECK(run(solver, source, 5) == from_vertex);
-    allocations_left = static_cast<long>(number_of_failures);
-    is_memory_limited = true;
-    try
-    {
-      solver.compute_distances(sources, CGAL::parameters::maximum_distance(1.));
-      is_complete = true;
-    }
-    catch(const std::bad_alloc&)
-    {
-      ++number_of_failures;
-    }
-    is_memory_limited = false;
+    is_complete = has_memory(number_of_failures, [&]
+    { solver.compute_distances(sources, CGAL::parameters::maximum_distance(1.)); });
+    number_of_failures += is_complete ? 0 : 1;
     CHECK(run(solver, source, 5) == from_vertex);
     CHECK(run(solver, reversed, 3) == from_reversed);
   }

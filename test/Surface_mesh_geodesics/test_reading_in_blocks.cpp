@@ -2,6 +2,7 @@
 // same bits, and find the same fault. They share the reading of a Surface_mesh; the calling thread alone reads maps of
 // the user.
 
+#include "distance_test_helpers.h"
 #include "intrinsic_mesh_helpers.h"
 #include "mesh_operations.h"
 #include "test_meshes.h"
@@ -289,7 +290,7 @@ void meshes_are_the_same(test_support::Random& random)
                                            [&](std::size_t) { return random.uniform(0., 1.) < .2 * (i + 1); })));
     const Mesh tm = to_face_graph(without_faces(noisy_sphere(5, .1, 8), "in pieces",
                                                 [&](std::size_t) { return random.uniform(0., 1.) < .5; }));
-    const vertex_descriptor source(static_cast<std::uint32_t>(random.index(num_vertices(tm))));
+    const vertex_descriptor source(static_cast<std::uint32_t>(random.index(num_vertices(tm)))); // also an isolated one
     check_mesh(tm, &source);
   }
 }
@@ -366,7 +367,7 @@ void faults_of_meshes_are_the_same(test_support::Random& random)
     Mesh tm = valid;
     for(int k = 0; k < 3; ++k)
     {
-      const auto v = vertex_descriptor(static_cast<std::uint32_t>(random.index(num_vertices(tm))));
+      const vertex_descriptor v = random_vertex(tm, random);
       tm.point(v) = Mesh::Point(tm.point(v).x(), number, 0);
     }
     check_fault(tm);

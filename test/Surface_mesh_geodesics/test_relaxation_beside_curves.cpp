@@ -4,6 +4,7 @@
 #include "Voronoi_sites.h"
 #include "curve_cases.h"
 #include "curves_and_walls.h"
+#include "distance_test_helpers.h"
 #include "expected_exceptions.h"
 #include "walls_and_places.h"
 #include "with_threads.h"
@@ -241,7 +242,7 @@ void steps_on_surfaces()
     }
     Sites sites;
     for(int i = 0; i < 6; ++i)
-      sites.push_back(vertex_descriptor(static_cast<Mesh::size_type>(random.index(num_vertices(tm)))));
+      sites.push_back(random_vertex(tm, random));
     sites.push_back(sites[0]); // its cell is empty until the other one has moved
     const Sites start = sites;
     std::vector<double> energies;

@@ -2,6 +2,7 @@
 // vertices, once for each sector between walls.
 
 #include "cut_mesh.h"
+#include "distance_test_helpers.h"
 #include "test_meshes.h"
 #include "test_support.h"
 
@@ -136,7 +137,7 @@ void test_visibility_graphs()
     for(const edge_descriptor e : edges(tm))
       if(random.uniform() < part)
         walls.insert(e);
-    const vertex_descriptor source(static_cast<Mesh::size_type>(random.index(num_vertices(tm))));
+    const vertex_descriptor source = random_vertex(tm, random);
     const std::vector<double> expected = Visibility_graph(tm, walls).distances(source);
     auto solver = CGAL::Surface_mesh_geodesics::Geodesic_distance_solver<Mesh>::avoiding_edges(tm, walls);
     solver.compute_distances(source);
