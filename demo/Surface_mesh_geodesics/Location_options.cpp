@@ -296,9 +296,9 @@ std::vector<Location> Location_options::required_locations(const Arguments& argu
     throw Command_error(Exit_code::BAD_USAGE, "no " + m_role + " is given; use --" + m_role + ", "
                                                 + (m_kind == Kind::VERTICES ? "" : "--" + m_role + "-point, ")
                                                 + "--" + m_role + "-file"
-                                                + (m_kind != Kind::PLACES_AND_CURVES
-                                                     ? ""
-                                                     : ", --" + m_role + "-border, --" + m_role + "-curve")
+                                                + (m_kind == Kind::PLACES_AND_CURVES
+                                                     ? ", --" + m_role + "-border, --" + m_role + "-curve"
+                                                     : "")
                                                 + " or --" + m_role + "-random");
   return locations(arguments, mesh, console);
 }

@@ -850,9 +850,8 @@ public:
   /// separate the surface, so that each line is on one side.
   ///
   /// The lines are those of `isolines()` for the distance without its sign, in the same order and direction: points
-  /// nearer to the curves are on the left of a line. The side of a line is
-  /// exact: the faces that it runs through decide it, and no distance. There is no line for 0, which is that of the
-  /// curves. Takes the time of `isolines()`.
+  /// nearer to the curves are on the left of a line. The side of a line is exact: the faces that it runs through decide
+  /// it, and no distance. There is no line for 0, which is that of the curves. Takes the time of `isolines()`.
   ///
   /// \tparam OutputIterator a model of `OutputIterator` that takes `std::vector<Point_3>`
   /// \param value the signed distance, in the unit of the mesh

@@ -160,8 +160,8 @@ public:
     for(const bool is_closed : {false, true})
       for(std::uint32_t i = begin; i < end; ++i)
       {
-        const bool is_first = m_points[i].previous == null_id && m_points[i].next != null_id;
-        if(is_done[i - begin] || !(is_closed ? m_points[i].next != null_id : is_first))
+        const Node& p = m_points[i];
+        if(is_done[i - begin] || p.next == null_id || (!is_closed && p.previous != null_id))
           continue;
         std::vector<Point> points = line_from(i, begin, is_done);
         if(is_closed && points.size() > 1 && is_same_vertex(points.back(), points.front()))

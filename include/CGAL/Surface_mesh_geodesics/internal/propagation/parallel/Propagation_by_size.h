@@ -41,7 +41,7 @@ public:
   using Mesh = Intrinsic_mesh<FT>;
   using Field = Vertex_distance_field<FT>;
 
-  // Meshes with fewer faces are small: there, one thread would take more than 3 % longer than with the sequential tag.
+  // Meshes with fewer faces are small. On larger ones, visits have more windows (benchmark_threads measures both).
   static constexpr std::size_t smallest_shared_mesh = 16384;
 
   Propagation_by_size(const Mesh& mesh, Field& field) : m_mesh(mesh), m_field(field) { restart(); }
