@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_geodesics/certify_geodesic_Voronoi_diagram.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_Voronoi_labels.h>
 
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 
 #include <algorithm>
@@ -356,6 +357,37 @@ void hostile_surfaces()
   });
 }
 
+// The cell of a curve that another one crosses has two parts: an annulus around a point, and a disk beyond. Their
+// Euler characteristics have the sum of a disk. (On bumps, no boundary runs through a vertex of the mesh.)
+void curve_that_is_crossed()
+{
+  Square s(12);
+  test_support::Random random(1);
+  for(const vertex_descriptor v : vertices(s.tm))
+    s.tm.point(v) = Mesh::Point(s.tm.point(v).x(), s.tm.point(v).y(), random.uniform(0., .1));
+  std::vector<Point_2> across, loop{{3, 6}};
+  for(int y = 0; y <= 12; ++y)
+    across.push_back({7, double(y)});
+  const auto add_line = [&](double x, double y)
+  {
+    while(loop.back() != Point_2{x, y})
+      loop.push_back({loop.back()[0] + (x > loop.back()[0]) - (x < loop.back()[0]),
+                      loop.back()[1] + (y > loop.back()[1]) - (y < loop.back()[1])});
+  };
+  for(const Point_2& p : {Point_2{3, 8}, Point_2{1, 8}, Point_2{1, 4}, Point_2{3, 4}, Point_2{3, 6}, Point_2{11, 6}})
+    add_line(p[0], p[1]);
+  Voronoi diagram(s.tm);
+  add_sites(diagram, {s.line(across), s.line(loop), Curve(s.tm, s.at(2, 6))}, {1.03, 0., .07});
+  CHECK(is_right(diagram));
+  CHECK_EQUAL(diagram.Euler_characteristic(1), 1);
+  CHECK(!diagram.is_disk(1) && diagram.is_disk(0) && diagram.is_disk(2));
+  Mesh cell;
+  const auto face_of_face = cell.add_property_map<Mesh::Face_index, Mesh::Face_index>("f:face").first;
+  diagram.cell_mesh(1, cell, face_of_face);
+  const auto component = cell.add_property_map<Mesh::Face_index, std::size_t>("f:component").first;
+  CHECK_EQUAL(CGAL::Polygon_mesh_processing::connected_components(cell, component), 2u);
+}
+
 // --- the interface ---
 
 void sites_that_are_curves()
@@ -428,6 +460,7 @@ int main()
   curve_that_ends_on_another();
   equal_curves();
   cells_without_arcs();
+  curve_that_is_crossed();
   bumpy_spheres();
   hostile_surfaces();
   sites_that_are_curves();

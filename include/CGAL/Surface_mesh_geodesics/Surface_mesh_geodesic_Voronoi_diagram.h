@@ -1011,7 +1011,7 @@ public:
 
   /// returns the Euler characteristic of the cell with its boundary; 0 if the cell is empty. The boundary is regarded
   /// as a curve that does not touch itself. A vertex at which the mesh is pinched counts once. Of a cell with several
-  /// parts between walls it is the sum of theirs.
+  /// parts it is the sum of theirs: walls may divide a cell, and so may sites that own points of a curve.
   ///
   /// \param i the number of the site
   /// \pre `i < number_of_sites()`
@@ -1021,10 +1021,10 @@ public:
   }
 
   /// returns whether the cell, with its boundary, is a topological disk; `false` if the cell is empty, or a vertex
-  /// without faces. A cell is not a disk either if the mesh is pinched at a vertex in it, or if its boundary touches
-  /// itself at a point, up to rounding. Where that is possible, as curves run through vertices of the mesh or four
-  /// cells meet, and if the site is on a wall, the function takes the time of `cell_mesh()`. With walls and with curves
-  /// among the sites, all cells take that time.
+  /// without faces. A cell is not a disk either if it has several parts, if the mesh is pinched at a vertex in it, or
+  /// if its boundary touches itself at a point, up to rounding. Where that is possible, the function takes the time of
+  /// `cell_mesh()`: where boundaries run through vertices of the mesh or four cells meet, if the site is on a wall, and
+  /// if it is a curve whose cell has several boundaries. If there are both walls and curves, all cells take that time.
   ///
   /// \param i the number of the site
   /// \pre `i < number_of_sites()`
@@ -1033,7 +1033,7 @@ public:
     using Topology = Surface_mesh_geodesics::internal::Cell_topology;
     return has_built_cell(i)
         && Topology(m_lazy.refined_mesh(), m_lazy.complex())
-             .is_disk(m_lazy.cell_of_site(i), m_lazy.may_have_parts(i));
+             .is_disk(m_lazy.cell_of_site(i), m_lazy.parts_of_cell(i));
   }
 
   /// writes the triangles of the dual: one for each vertex of the diagram where three cells meet, and `n - 2` where `n`
@@ -1146,7 +1146,9 @@ public:
 
   \throws Surface_mesh_geodesics::Invalid_geodesic_input as for `cut()`
 
-  Takes time linear in the number of faces of the mesh, plus the time of `cut()` for the faces that the cell is in.
+  Takes time linear in the number of faces that the cell is in or beside, plus the time of `cut()` for those that it is
+  in. If the site is on a wall, the time is linear in the number of faces of the mesh, and if there are both walls and
+  curves, it is so for all cells.
   */
   template <typename OutputMesh, typename FaceFaceMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
   void cell_mesh(Site_index i, OutputMesh& output, FaceFaceMap face_face_map, double tolerance,
@@ -1216,8 +1218,8 @@ private:
 
   bool has_built_cell(Site_index i) const
   {
-    build();
     check(i);
+    build();
     return m_lazy.has_cell(i);
   }
 

@@ -57,23 +57,29 @@ public:
 
   // Returns whether the cell of a site is a disk. A cell without a part of a face is not. Takes time linear in the
   // number of arcs around the cell; in a special case the time of Cell_triangles. The characteristics of a disk and of
-  // an annulus have the sum of a disk, so if the cell may have parts that meet nowhere, its triangles decide.
-  bool is_disk(Vertex_id site, bool may_have_parts) const
+  // an annulus have the sum of a disk, so if the cell may have several parts, its triangles decide.
+  bool is_disk(Vertex_id site, Cell_parts parts) const
   {
     const Voronoi_cell_elements elements = m_complex.cell(site);
     if(elements.face_regions == 0)
       return false;
     if(m_complex.Euler_characteristic(site) != 1 || has_equal_kinks(site))
       return false;
-    if(elements.pinched_vertices == 0 && !may_have_parts && !has_contraction(site))
+    if(elements.pinched_vertices == 0 && is_connected(site, parts) && !has_contraction(site))
       return true;
     Cell_triangles cell(m_mesh, m_complex);
     const double unit_of_mesh = 1; // any tolerance gives the same combinatorics
-    cell.build(site, unit_of_mesh, may_have_parts);
+    cell.build(site, unit_of_mesh, parts);
     return are_disk(cell);
   }
 
 private:
+  // Returns true only if the cell is known to have one part.
+  bool is_connected(Vertex_id site, Cell_parts parts) const
+  {
+    return parts == Cell_parts::ONE || (parts == Cell_parts::WITH_ARCS && m_complex.boundary(site).size() < 2);
+  }
+
   // Calls is_special(f) for the faces that the boundary of a cell runs through, until it returns true; returns whether
   // it did. Arcs of one face that follow each other are one call.
   template <typename IsSpecial>

@@ -38,6 +38,11 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+// Which parts of a cell that meet nowhere there may be. The cell of a point is connected, as the shortest paths to it
+// stay in the cell; they may lead through vertices. The cell of a curve has several parts where other sites own points
+// of the curve; each of them has arcs on its boundary. Between walls, a part may have none.
+enum class Cell_parts { ONE, WITH_ARCS, ANY };
+
 // Invariants after build(): each edge is in one triangle or in two, which pass it in opposite directions. The triangles
 // of one face fill the parts of the cell in it. A vertex may have several umbrellas: where the mesh is pinched, and
 // where the cell touches itself.
@@ -75,11 +80,11 @@ public:
 
   // Cuts all faces that the cell of a site is in, in ascending order. The tolerance is in the unit of the intrinsic
   // mesh. Takes time for the faces of the cell and those around it, plus the time of the cuts; linear time if the cell
-  // may have parts that meet nowhere.
-  void build(Vertex_id site, double tolerance, bool may_have_parts)
+  // may have any parts.
+  void build(Vertex_id site, double tolerance, Cell_parts parts)
   {
     Voronoi_face_cut cut(m_mesh, m_complex);
-    for(const Face_id f : may_have_parts ? all_faces_of_cell(site) : faces_of_connected_cell(site))
+    for(const Face_id f : parts == Cell_parts::ANY ? all_faces_of_cell(site) : faces_of_cell(site))
     {
       cut.cut(f, tolerance);
       name_border(f);
@@ -101,22 +106,25 @@ private:
   // its source). The piece of an edge that begins at a position has the name of that position.
   using Name = std::pair<std::uint32_t, std::uint32_t>;
 
-  // Returns the faces that the cell of a site is in, ascending. A cell is connected, as the shortest paths to its site
-  // stay in it; they may lead through vertices. So one face after the other is found around the corners of those
-  // before. The faces of the boundary come first, in case that rounding parts a cell.
-  // Requires: the cell is connected.
-  std::vector<Face_id> faces_of_connected_cell(Vertex_id site) const
+  // Returns the faces that the cell of a site is in, ascending. The faces of the boundary come first, as they are in
+  // all parts of the cell. One face after the other is found around the corners of those before.
+  // Requires: the cell is connected, or each of its parts has arcs on its boundary.
+  std::vector<Face_id> faces_of_cell(Vertex_id site) const
   {
-    // A set, not a flag for each face: of many cells, each costs what its own faces cost.
+    // Sets, not a flag for each face: of many cells, each costs what its own faces cost.
     std::vector<Face_id> found;
     std::unordered_set<Face_id> seen;
+    std::unordered_set<Vertex_id> seen_around;
     const auto look_at = [&](Face_id f)
     {
       if(seen.insert(f).second && is_in_cell(f, site))
         found.push_back(f);
     };
     const auto look_around = [&](Vertex_id v)
-    { m_mesh.for_each_halfedge_around(v, [&](Halfedge_id h) { look_at(face_of(h)); }); };
+    {
+      if(seen_around.insert(v).second)
+        m_mesh.for_each_halfedge_around(v, [&](Halfedge_id h) { look_at(face_of(h)); });
+    };
     if(m_complex.cell(site).vertex != null_id)
       look_around(m_complex.cell(site).vertex);
     for(const Voronoi_boundary_part& part : m_complex.boundary(site))

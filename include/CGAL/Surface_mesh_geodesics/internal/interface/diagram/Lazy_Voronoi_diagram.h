@@ -37,6 +37,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Face_shapes.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Path_solver.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Surface_locations.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Cell_triangles.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Shared_computation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Weighted_site_list.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/measure_cells.h>
@@ -273,12 +274,12 @@ public:
     return complex().owner(v) == v && m_solver.source_at(v) == i;
   }
 
-  // Returns whether the cell of a site may have parts that meet nowhere: the site is on a wall. Of a curve nobody
-  // knows. Linear in the number of sites on walls.
-  bool may_have_parts(std::size_t i) const
+  // Returns which parts the cell of a site may have. Linear in the number of sites on walls; curves are not among these.
+  Cell_parts parts_of_cell(std::size_t i) const
   {
     const std::vector<std::size_t>& on_walls = m_solver.sources().behind_walls;
-    return has_walls() && (m_solver.has_curves() || std::find(on_walls.begin(), on_walls.end(), i) != on_walls.end());
+    return has_walls() && (m_solver.has_curves() || std::find(on_walls.begin(), on_walls.end(), i) != on_walls.end())
+         ? Cell_parts::ANY : m_sites[i].curve != nullptr ? Cell_parts::WITH_ARCS : Cell_parts::ONE;
   }
 
   // Returns the factor from lengths of the intrinsic mesh to those of the user: a power of two, 1 if there is no site.
@@ -329,12 +330,10 @@ public:
 
   // --- queries: they build what they need ---
 
-  // A point of a wall is in a cell on each of its sides. The side that is nearest to its site counts.
-  //
-  // Both return the site whose cell a point is in, no_site if none reaches it. They throw Invalid_geodesic_input for a
-  // vertex or location that is not on the mesh, also if there are no sites. A vertex takes constant time; a location
-  // takes the time of Cell_locator if arcs run through its face, constant time otherwise. On the edge of a wall between
-  // two cells, windows are needed.
+  // Both return the site whose cell a point is in, no_site if none reaches it. A point of a wall is in a cell on each
+  // side; the side that is nearest to its site counts. They throw Invalid_geodesic_input for a vertex or location that
+  // is not on the mesh, also if there are no sites. A vertex takes constant time; a location takes the time of
+  // Cell_locator if arcs run through its face, constant time otherwise. Windows are needed on a wall between two cells.
   std::size_t nearest_site(vertex_descriptor v) const
   {
     build();

@@ -84,7 +84,7 @@ void add_cell_mesh(const Diagram& diagram, std::size_t site, double tolerance, O
 {
   using Triangles = Output_triangles<OutputMesh, VertexPointMap>;
   Cell_triangles cell(diagram.refined_mesh(), diagram.complex());
-  cell.build(diagram.cell_of_site(site), tolerance / diagram.unit(), diagram.may_have_parts(site));
+  cell.build(diagram.cell_of_site(site), tolerance / diagram.unit(), diagram.parts_of_cell(site));
   const Output_points<Diagram, typename Triangles::Point> points(diagram);
   Triangles triangles(output, vpm);
   std::vector<typename Triangles::vertex_descriptor> vertices;
