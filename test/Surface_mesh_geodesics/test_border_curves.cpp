@@ -176,6 +176,13 @@ void wrong_input_is_rejected()
     CHECK(e.reason() == Reason::INVALID_DESCRIPTOR);
     CHECK_EQUAL(e.element(), std::size_t(1));
   }
+  Mesh quadrangle;
+  const auto v = [&](double x, double y) { return quadrangle.add_vertex(Kernel::Point_3(x, y, 0)); };
+  quadrangle.add_face(v(0, 0), v(1, 0), v(1, 1), v(0, 1));
+  CHECK(throws_reason(Reason::NOT_A_TRIANGLE, [&] { SMG::border_curves(quadrangle); }));
+  for(const Mesh::Halfedge_index h : halfedges(quadrangle))
+    CHECK(throws_reason(Reason::NOT_A_TRIANGLE,
+                        [&] { Curve::along_halfedges(quadrangle, std::vector<Mesh::Halfedge_index>{h}); }));
 }
 
 } // namespace

@@ -25,6 +25,7 @@
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -123,10 +124,10 @@ public:
   /// vertices among them.
   ///
   /// \throws Invalid_geodesic_input with the reason `INVALID_CURVE`, and with the position of the location or halfedge
-  ///         in the range, if there is none; if a vertex, face or halfedge is null or not one of the mesh (as far as
+  ///         in the range, if the range is empty; if a vertex, face or halfedge is null or not one of the mesh (as far as
   ///         the mesh can tell: a `Surface_mesh` knows its elements); if a location is not in its face; if no face has
   ///         both of two locations in a row; if a halfedge does not begin where the one before ends, or has no face on
-  ///         either side.
+  ///         either side. With the reason `NOT_A_TRIANGLE` if the face of a halfedge does not have three edges.
   /// @{
 
   /// makes the curve through a range of vertices or of locations in faces. Two in a row are in one face; coordinates
@@ -284,7 +285,7 @@ private:
     const halfedge_descriptor inner = is_reversed ? opposite(h, tm) : h;
     if(is_border(inner, tm))
       internal::reject_curve(position, "is a halfedge without a face on either side");
-    m_segments.push_back(internal::segment_of_halfedge<Segment>(tm, inner, is_reversed));
+    m_segments.push_back(internal::segment_of_halfedge<Segment>(tm, inner, is_reversed, position));
   }
 
   std::vector<Segment> m_segments;
@@ -338,7 +339,8 @@ geodesic_distances(mesh, distance, border_curves(mesh, CGAL::parameters::faces_t
 \return the curves in the order of their first halfedges in `halfedges(tm)`; none if there is no border
 
 \throws Invalid_geodesic_input with the reason `INVALID_DESCRIPTOR`, and with the position of the face in its range, if
-        a face to avoid is not one of the mesh
+        a face to avoid is not one of the mesh; with the reason `NOT_A_TRIANGLE`, and with the position of the edge in
+        its cycle, if a face at the border does not have three edges
 
 \sa `Surface_curve`
 */
@@ -355,7 +357,8 @@ std::vector<Surface_curve<TriangleMesh>> border_curves(const TriangleMesh& tm,
   {
     std::vector<typename Curve::Segment> segments;
     for(const halfedge_descriptor h : cycle)
-      segments.push_back(internal::segment_of_halfedge<typename Curve::Segment>(tm, opposite(h, tm), true));
+      segments.push_back(
+        internal::segment_of_halfedge<typename Curve::Segment>(tm, opposite(h, tm), true, segments.size()));
     curves.push_back(internal::Private_access::make<Curve>(std::move(segments), true));
   };
   if constexpr(internal::Has_parameter<CGAL_NP_CLASS, internal_np::faces_to_avoid_t>::value)

@@ -88,8 +88,8 @@ also as multiples of the extent of the mesh.
 <b>Ties.</b> Of several sites at one point with the same weight, the first one owns the cell, and the cells of the
 others are empty. The same may happen to two sites whose distance, plus the difference of their weights, is less than
 about \f$ 6 \cdot 10^{-14} \f$ times the extent of their component, as no distance tells which of them is nearer: the
-site with the lower index owns the cell. If the distance, less the advantage in weight of one site, is as small, the
-other site is nowhere nearer beyond rounding, and its cell may be empty, too. If two sites are equally far from a vertex
+site with the lower index owns the cell. If the distance minus the difference of the weights is as small, the site with
+the smaller weight is nowhere nearer beyond rounding, and its cell may be empty, too. If two sites are equally far from a vertex
 at which shortest paths bend, whole regions may be equally far from both. Such a region belongs to one of the two, which
 is decided at that vertex; its boundary consists of the points beyond which the paths from the other site are longer.
 Where the diagram is symmetric, arcs may run along edges and through vertices of the mesh, and more than three cells may
@@ -792,9 +792,10 @@ public:
   }
 
   /// writes the sites at the nearest point: of all points of sites, the one that is nearest to a vertex. If sites with
-  /// different weights are there, only those with the largest weight count. So the common end of two curves belongs to
+  /// different weights are there, only those with the largest weight count; weights that differ by rounding are
+  /// different. So the common end of two curves belongs to
   /// both curves, and so do all points that are nearest to it. An edge on several curves belongs to all of them, also
-  /// if their cells are empty. Points count as the same up to rounding, and so do weights.
+  /// if their cells are empty. Points count as the same up to rounding.
   ///
   /// `nearest_site()` returns one of these sites, unless several points are equally near. Then the sites at one of
   /// these points are written; `arcs()` and `vertices()` know the others.
@@ -1093,7 +1094,8 @@ public:
   \pre `tolerance > 0`
 
   \throws Surface_mesh_geodesics::Invalid_geodesic_input if the diagram has to be computed, and the mesh or a site is
-          invalid. Nothing has been added then.
+          invalid. Nothing has been added then. If memory runs out, or a map throws, the output is not a valid mesh: it
+          has to be cleared.
 
   Takes time linear in the size of the mesh and of the diagram. In a face with many arcs or samples, the time grows with
   the cube of the number of vertices around a piece of a cell.
@@ -1179,7 +1181,8 @@ public:
 
   /// returns the tolerance of functions that are called without one: a thousandth of the diagonal of the bounding box
   /// of the points of all vertices, in the unit of the mesh. Where all points are the same, as they may be if lengths
-  /// come from a map of their own, it is a thousandth of a power of two that is about as large as the longest edge.
+  /// come from a map of their own, it is a thousandth of a power of two that is about as large as the longest edge; of
+  /// 1 if there are no sites.
   ///
   /// Takes time linear in the number of vertices: to draw many cells, call it once, and pass its result.
   double default_tolerance() const

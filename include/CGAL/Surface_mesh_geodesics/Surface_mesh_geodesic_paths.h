@@ -301,8 +301,8 @@ public:
   /// @}
 
   /// \name Addition and Removal of Source Points
-  /// The next query or build checks the source points; these functions check and compute nothing. Each source point
-  /// takes constant time. Iterators to other source points stay valid.
+  /// The next query or build checks the source points; these functions compute nothing, and check offsets of curves
+  /// only. Each source point takes constant time; a curve is copied. Iterators to other source points stay valid.
   /// @{
 
   /// adds a vertex.

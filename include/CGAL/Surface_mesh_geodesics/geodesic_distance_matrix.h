@@ -58,8 +58,8 @@ effects of those before. `row_output` must not change the mesh.
 \tparam RowOutput a function object that takes a `std::size_t` and a `const std::vector<double>&`, which is valid during
         the call only. If it returns a value, the value is converted to `bool`, and `false` ends the computation.
         If it also has a member function `go_further()` without parameters, all threads call it while they compute
-        rows, several at a time. As soon as it returns `false`, which it has to go on doing, the computation ends, and
-        rows that have begun are not passed on.
+        rows, several at a time. The computation ends once it returns `false`; from then on it has to return `false`.
+        Rows that have begun are not passed on.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tm the triangle mesh

@@ -45,7 +45,7 @@ Voronoi cell, and hardly farther; the rest is unchanged. So the first sample tak
 call writes to an output of its own; see `geodesic_distances()`.
 
 <b>Relaxation.</b> `geodesic_Lloyd_relaxation()` moves samples to the centers of their cells. With the same
-`first_curves` it keeps them away from these curves; without, it moves them without regard to a border.
+`first_curves` it keeps them away from these curves; otherwise it ignores borders.
 `geodesic_remeshing()` keeps those on a border in place.
 
 \tparam TriangleMesh a model of `FaceListGraph`
@@ -53,9 +53,9 @@ call writes to an output of its own; see `geodesic_distances()`.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tm the triangle mesh
-\param n the number of samples, including the first samples among the parameters
+\param n the number of samples, including those in `first_samples`
 \param output receives the samples, in the order in which they are found; fewer than `n` if every vertex is a sample, or
-       has one within the covering radius among the parameters
+       has a sample within `covering_radius`
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
 \cgalNamedParamsBegin

@@ -52,6 +52,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <mutex>
 #include <type_traits>
 #include <utility>
@@ -129,17 +130,18 @@ public:
     return add_source_point({location, false, Graph_traits::null_vertex()});
   }
 
-  // Adds a curve, which is copied, and its offset in the user's unit. build() rejects a curve of another mesh. The list
-  // keeps a function: programs without curves do not compile what runs from curves need.
+  // Adds a curve, which is copied once, and its offset in the user's unit. build() rejects a curve of another mesh. The
+  // list keeps a function: programs without curves do not compile what runs from curves need.
   template <typename Curve>
   Source_point_iterator add_source_curve(const Curve& curve, double offset)
   {
     check_offsets({offset});
     const auto& s = curve.segments();
+    const auto copy = std::make_shared<const Curve>(curve);
     return add_source_point(
       {s.empty() ? location_of(curve.vertex())
                  : Face_location(s[0].face, Locations::coordinates(s[0].source, m_traits)), false,
-       Graph_traits::null_vertex(), [this, curve, offset] { m_solver.add_source_curve(curve, offset); }});
+       Graph_traits::null_vertex(), [this, copy, offset] { m_solver.add_source_curve(*copy, offset); }});
   }
 
   // Adds vertices or locations. Returns the iterator to the first of them, end() if the range is empty. Copies the

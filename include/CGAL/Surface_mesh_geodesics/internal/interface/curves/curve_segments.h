@@ -22,6 +22,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
 
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -80,8 +81,8 @@ public:
 
   // The vertex, or the null vertex. A location with the coordinates of a corner, up to rounding, is a vertex, too.
   vertex_descriptor vertex() const { return m_vertex; }
-  // The face in which the location is given, so that segments stay in the faces that the user has named.
-  // A face that has the point; null for an isolated vertex.
+  // The face in which the location is given, so that segments stay in the faces that the user has named; for a vertex,
+  // some face around it, null if it is isolated.
   face_descriptor own_face() const { return m_face; }
 
   // Faces are those of the user's mesh, also where some of them are avoided: that is checked when the mesh is read.
@@ -181,11 +182,16 @@ void reject_points_inside(const TriangleMesh& tm, const std::vector<Point_of_fac
   }
 }
 
-// Returns the segment along the halfedge h in its face, or against its direction. Requires: h has a face.
+// Returns the segment along the halfedge h in its face, or against its direction. Throws Invalid_geodesic_input with the
+// given position if that face is not a triangle. Requires: h has a face.
 template <typename Segment, typename TriangleMesh>
 Segment segment_of_halfedge(const TriangleMesh& tm, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h,
-                            bool is_reversed)
+                            bool is_reversed, std::size_t position)
 {
+  if(!is_triangle(h, tm))
+    throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::NOT_A_TRIANGLE,
+                                 "the face of halfedge " + std::to_string(position)
+                                   + " of the curve does not have three edges", position);
   Segment s{face(h, tm), {}, {}};
   unsigned int k = 0;
   for(auto g = halfedge(s.face, tm); g != h; g = next(g, tm))

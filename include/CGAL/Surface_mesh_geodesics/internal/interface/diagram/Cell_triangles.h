@@ -167,15 +167,19 @@ private:
   {
     m_vertex_names.clear();
     m_piece_names.clear();
+    m_fractions.clear();
     for(unsigned int k = 0; k < 3; ++k)
     {
       const Halfedge_id h = halfedge_of(f, k);
       const bool is_reversed = !m_mesh.is_first_of_edge(h);
       const Halfedge_id edge = is_reversed ? m_mesh.opposite(h) : h;
-      const std::uint32_t last = Edge_contraction(m_mesh, m_complex, h).last();
+      const Edge_contraction contraction(m_mesh, m_complex, edge);
+      const std::uint32_t last = contraction.last();
       for(std::uint32_t i = 0; i < last; ++i)
       {
-        m_vertex_names.push_back(i == 0 ? Name(m_mesh.source(h), 0) : Name(edge, is_reversed ? last - i : i));
+        const std::uint32_t position = is_reversed ? last - i : i;
+        m_vertex_names.push_back(i == 0 ? Name(m_mesh.source(h), 0) : Name(edge, position));
+        m_fractions.push_back(i == 0 ? 0 : contraction.fraction(position));
         m_piece_names.push_back(std::make_pair(Name(edge, is_reversed ? last - 1 - i : i), is_reversed));
       }
     }
@@ -189,19 +193,19 @@ private:
     const auto inserted = is_on_border ? m_border_vertices.emplace(m_vertex_names[i], number)
                                        : m_inner_vertices.emplace(Name(i, 0), number);
     if(inserted.second)
-      m_vertices.push_back(is_on_border ? vertex_on_border(m_vertex_names[i]) : Vertex{null_id, f, cut.points()[i]});
+      m_vertices.push_back(is_on_border ? vertex_on_border(i) : Vertex{null_id, f, cut.points()[i]});
     return inserted.first->second;
   }
 
-  // Returns a vertex that is on an edge of the refined mesh, or is a vertex of it. Its point is found from the halfedge
-  // with the smaller index, as cut() does, so that both meshes have the same bits.
-  Vertex vertex_on_border(const Name& name) const
+  // Returns vertex i of the border of the present face: a vertex of the refined mesh, or one on an edge of it. Its point
+  // is found from the halfedge with the smaller index, as cut() does, so that both meshes have the same bits.
+  Vertex vertex_on_border(std::uint32_t i) const
   {
+    const Name& name = m_vertex_names[i];
     if(name.second == 0)
       return Vertex{name.first, null_id, Planar_point<double>()};
     const Halfedge_id h = name.first;
-    const double fraction = Edge_contraction(m_mesh, m_complex, h).fraction(name.second);
-    return Vertex{null_id, face_of(h), point_on_side(m_complex.layout(face_of(h)), index_in_face(h), fraction)};
+    return Vertex{null_id, face_of(h), point_on_side(m_complex.layout(face_of(h)), index_in_face(h), m_fractions[i])};
   }
 
   // Returns the edge between two vertices of the cut of the present face, which have the numbers v and w. On the border
@@ -243,8 +247,10 @@ private:
   std::vector<Edge> m_edges;
   std::vector<Triangle> m_triangles;
   std::map<Name, std::uint32_t> m_border_vertices, m_pieces; // on edges of the refined mesh
-  // Of the present face: the names on its border, and for each piece whether the face sees it backward.
+  // Of the present face: the names on its border, for each vertex its fraction of its edge as the halfedge with the
+  // smaller index sees it, and for each piece whether the face sees it backward.
   std::vector<Name> m_vertex_names;
+  std::vector<double> m_fractions;
   std::vector<std::pair<Name, bool>> m_piece_names;
   // Of the present face: the vertices inside, and the edges inside by the ends that their first triangle sees.
   std::map<Name, std::uint32_t> m_inner_vertices, m_open;
