@@ -124,10 +124,10 @@ public:
   /// vertices among them.
   ///
   /// \throws Invalid_geodesic_input with the reason `INVALID_CURVE`, and with the position of the location or halfedge
-  ///         in the range, if the range is empty; if a vertex, face or halfedge is null or not one of the mesh (as far as
-  ///         the mesh can tell: a `Surface_mesh` knows its elements); if a location is not in its face; if no face has
-  ///         both of two locations in a row; if a halfedge does not begin where the one before ends, or has no face on
-  ///         either side. With the reason `NOT_A_TRIANGLE` if the face of a halfedge does not have three edges.
+  ///         in the range, if the range is empty; if a vertex, face or halfedge is null or not one of the mesh (as far
+  ///         as the mesh can tell: a `Surface_mesh` knows its elements); if a location is not in its face; if no face
+  ///         has both of two locations in a row; if a halfedge does not begin where the one before ends, or has no face
+  ///         on either side. With the reason `NOT_A_TRIANGLE` if the face of a halfedge does not have three edges.
   /// @{
 
   /// makes the curve through a range of vertices or of locations in faces. Two in a row are in one face; coordinates

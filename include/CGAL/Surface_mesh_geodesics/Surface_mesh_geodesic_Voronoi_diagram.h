@@ -89,11 +89,11 @@ also as multiples of the extent of the mesh.
 others are empty. The same may happen to two sites whose distance, plus the difference of their weights, is less than
 about \f$ 6 \cdot 10^{-14} \f$ times the extent of their component, as no distance tells which of them is nearer: the
 site with the lower index owns the cell. If the distance minus the difference of the weights is as small, the site with
-the smaller weight is nowhere nearer beyond rounding, and its cell may be empty, too. If two sites are equally far from a vertex
-at which shortest paths bend, whole regions may be equally far from both. Such a region belongs to one of the two, which
-is decided at that vertex; its boundary consists of the points beyond which the paths from the other site are longer.
-Where the diagram is symmetric, arcs may run along edges and through vertices of the mesh, and more than three cells may
-meet.
+the smaller weight is nowhere nearer beyond rounding, and its cell may be empty, too. If two sites are equally far from
+a vertex at which shortest paths bend, whole regions may be equally far from both. Such a region belongs to one of the
+two, which is decided at that vertex; its boundary consists of the points beyond which the paths from the other site are
+longer. Where the diagram is symmetric, arcs may run along edges and through vertices of the mesh, and more than three
+cells may meet.
 
 A point or a segment on several curves with the same weight belongs to all of them, and so do all points that are
 nearest to it: where two curves meet in a corner, the whole region that is nearest to the corner. `nearest_sites()`

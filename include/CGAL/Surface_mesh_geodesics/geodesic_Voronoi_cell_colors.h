@@ -26,10 +26,10 @@ namespace Surface_mesh_geodesics {
 
 returns a color for the cell of each site of a geodesic Voronoi diagram, for pictures.
 
-There are twelve colors, which remain distinct for eyes that confuse red with green, or yellow with blue. Two cells
-with a common edge have different colors on every orientable surface with up to six handles if all cells are connected,
-as they are without curves and walls. Otherwise a few pairs of such cells may share a color. If there are at most twelve sites, all colors are different. The colors depend
-only on the numbers of the sites and on which cells are adjacent.
+There are twelve colors, which remain distinct for eyes that confuse red with green, or yellow with blue. Two cells with
+a common edge have different colors on every orientable surface with up to six handles if all cells are connected, as
+they are without curves and walls. Otherwise a few pairs of such cells may share a color. If there are at most twelve
+sites, all colors are different. The colors depend only on the numbers of the sites and on which cells are adjacent.
 
 Cells are colored one after the other, each with a color that no neighbor has. They are ordered such that few neighbors
 of a cell come before it (the smallest-last order of Matula and Beck \cgalCite{matula1983smallest}).

@@ -72,8 +72,8 @@ namespace internal {
 // anything that a build writes; the build stores it with `release` after the last write.
 //
 // Traits is a model of SurfaceMeshShortestPathTraits; an object of it is copied, and so are the maps. The mesh is
-// referred to. Mesh and maps must be valid as long as the object, and must not change before clear(), as points are
-// read from the map whenever a path is written. All distances of the interface are in the user's unit.
+// referred to. Mesh and maps must be valid as long as the object, and must not change before clear(): writing a path
+// reads points from the map. All distances of the interface are in the user's unit.
 template <typename Traits, typename VertexIndexMap, typename FaceIndexMap, typename VertexPointMap,
           typename ConcurrencyTag = Sequential_tag>
 class Lazy_path_structure
@@ -121,17 +121,15 @@ public:
   // has computed them since. Nothing is missing in a new object, as it has no sources.
   bool has_changed() const { return m_ready.load(std::memory_order_acquire) == Stage::NOWHERE; }
 
-  // Adds a vertex. build() rejects an invalid one.
+  // Add a vertex, or a point of a face. build() rejects an invalid one.
   Source_point_iterator add_source(vertex_descriptor v) { return add_source_point({location_of(v), true, v}); }
-
-  // Adds a point of a face. build() rejects an invalid one.
   Source_point_iterator add_source(const Face_location& location)
   {
     return add_source_point({location, false, Graph_traits::null_vertex()});
   }
 
-  // Adds a curve, which is copied once, and its offset in the user's unit. build() rejects a curve of another mesh. The
-  // list keeps a function: programs without curves do not compile what runs from curves need.
+  // Adds a curve, which is copied once, and its offset in the user's unit. build() rejects one of another mesh.
+  // The list keeps a function: programs without curves do not compile what runs from curves need.
   template <typename Curve>
   Source_point_iterator add_source_curve(const Curve& curve, double offset)
   {

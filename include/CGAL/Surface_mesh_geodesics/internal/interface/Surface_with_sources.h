@@ -334,7 +334,7 @@ private:
     q.is_in_face = true;
     // The edges of the face as a whole count here. part_with() changes c to the coordinates in a part.
     q.is_on_edge = c[0] == 0 || c[1] == 0 || c[2] == 0;
-    q.face = parts().part_with(f, c);
+    q.face = parts().part_with(mesh(), f, c);
     q.coordinates = c;
     for(unsigned int k = 0; k < 3; ++k) // at a source
       if(c[k] == 1)
@@ -370,7 +370,7 @@ private:
   {
     Coordinates c{};
     c[k] = 1;
-    const Face_id part = parts().part_with(f, c);
+    const Face_id part = parts().part_with(mesh(), f, c);
     return mesh().face(part).vertex[nearest_corner(c)];
   }
 

@@ -72,6 +72,16 @@ struct Tolerance
   // Each coordinate is the difference of two rounded numbers, divided by a third one.
   static FT placement() { return 4 * input_epsilon(); }
 
+  // Relative to 1: an edge between two parts of a face is flipped only if the sine of the sum of the angles opposite to
+  // it is negative by more than flip(), and if the sines of the angles at its ends are larger than angle_of_flip().
+  // Large enough that rounding decides nothing; the ends of an edge may be far away from a cluster of sources.
+  static FT flip() { return FT(1) / 1024; }
+  static FT angle_of_flip()
+  {
+    using std::sqrt;
+    return sqrt(input_epsilon());
+  }
+
   // Relative to 1: if each barycentric coordinate errs by at most a quarter, the largest of the three, at least 1/3, is
   // not zero. Coordinates that err by more mean nothing.
   static FT known_coordinate() { return FT(1) / 4; }

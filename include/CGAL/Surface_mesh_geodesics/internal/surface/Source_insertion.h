@@ -20,7 +20,9 @@
 // The invariants of the mesh (mesh_invariants.h) hold before and after each public function.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Edge_flip.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Face_parts.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
@@ -51,8 +53,8 @@ namespace internal {
 //
 // The *first mesh* is the mesh without inserted sources, as it was at the construction or the last restart().
 //
-// Invariants, between public functions: m_saved has each changed face as it was before each change, in that order,
-// m_saved_kinds each changed kind; parts() knows all faces that are parts of a face of the first mesh.
+// Invariants, between public functions: m_saved has each changed face of the first mesh as it was before each change,
+// in that order, m_saved_kinds each changed kind; parts() knows all faces that are parts of a face of the first mesh.
 template <typename FT_>
 class Source_insertion
 {
@@ -79,7 +81,7 @@ public:
     CGAL_assertion(f < m_number_of_faces && are_valid_coordinates(b));
     snap_coordinates(b);
     Coordinates local = b;
-    const Face_id s = m_parts.part_with(f, local);
+    const Face_id s = m_parts.part_with(m_mesh, f, local);
     // Coordinates that are exactly zero tell where the point is: none inside the part, one on an edge, two at a corner.
     unsigned int number_of_zeros = 0, zero = 0;
     for(unsigned int k = 0; k < 3; ++k)
@@ -106,6 +108,30 @@ public:
   {
     CGAL_assertion(wa > 0 && wb > 0 && m_mesh.length(h) > 0);
     return split_edge(h, wa, wb);
+  }
+
+  // Makes the parts of crowded faces around v those of a Delaunay triangulation, by flips of their edges (Lawson,
+  // 1977), if they are so apart from the parts around v. Else parts become long and narrow, so that windows and arcs
+  // cross many of them; with few parts that costs less than flips. Takes time proportional to the number of flips.
+  //
+  // Flips lose no digits: the new edge is not much shorter than two sides that it is the sum of, and an edge that is
+  // Delaunay up to a margin stays.
+  // Requires: insert() has returned v; no edge inside of a face of the first mesh has to stay, as those along curves.
+  void flip_around(Vertex_id v)
+  {
+    m_suspects.clear();
+    m_mesh.for_each_halfedge_around(v, [&](Halfedge_id h) { add_suspects(h); });
+    while(!m_suspects.empty())
+    {
+      const Halfedge_id h = m_suspects.back();
+      m_suspects.pop_back();
+      const Halfedge_id o = m_mesh.opposite(h);
+      if(o == null_id || face_of(o) == face_of(h) || !m_parts.is_inside_whole(h, o))
+        continue;
+      const Edge_flip<FT> edge(m_mesh, h);
+      if(edge.is_wanted())
+        flip(h, edge);
+    }
   }
 
   // Takes the mesh as it is for the first one, and forgets what has been inserted into another one.
@@ -228,8 +254,12 @@ private:
     }
   }
 
-  // Remembers a face before it changes.
-  void save(Face_id f) { m_saved.emplace_back(f, m_mesh.face(f)); }
+  // Remembers a face of the first mesh before it changes; undo() removes the others.
+  void save(Face_id f)
+  {
+    if(f < m_number_of_faces)
+      m_saved.emplace_back(f, m_mesh.face(f));
+  }
 
   // Makes a and b opposite to each other; null_id stands for the border.
   void link(Halfedge_id a, Halfedge_id b)
@@ -248,12 +278,23 @@ private:
     Vertex_id source;
   };
 
-  // Links the kept edges of the new faces, and completes the new vertex v, which `leaving` leaves. If the faces of two
-  // opposite edges have both been replaced, both edges are among the kept ones. `renaming` has the halves of a split
-  // edge already. The vertices around v come last: a walk around v needs all links.
-  void finish_split(Vertex_id v, Halfedge_id leaving, const std::vector<Kept_edge>& kept,
-                    Renaming renaming)
+  // Links the kept edges of the new faces, and completes the new vertex v, which `leaving` leaves. `renaming` has the
+  // halves of a split edge already. The vertices around v come last: a walk around v needs all links.
+  void finish_split(Vertex_id v, Halfedge_id leaving, const std::vector<Kept_edge>& kept, const Renaming& renaming)
   {
+    keep_edges(kept, renaming);
+    m_mesh.set_halfedge(v, leaving);
+    mark_near_vertices(v);
+  }
+
+  // Links the kept edges of the new faces, and tells the vertices that store them. If the faces of two opposite edges
+  // have both been replaced, both edges are among the kept ones. `gone` has the new names of edges that are not kept.
+  // It comes last: where two old names get one new name, undo() returns to the kept edge, as an edge of the first mesh
+  // is always kept.
+  void keep_edges(const std::vector<Kept_edge>& kept, const Renaming& gone)
+  {
+    Renaming renaming;
+    renaming.vertices = gone.vertices;
     for(const Kept_edge& e : kept)
     {
       Halfedge_id o = e.opposite;
@@ -265,6 +306,8 @@ private:
       renaming.to.push_back(e.to);
       renaming.vertices.push_back(e.source);
     }
+    renaming.from.insert(renaming.from.end(), gone.from.begin(), gone.from.end());
+    renaming.to.insert(renaming.to.end(), gone.to.begin(), gone.to.end());
     std::sort(renaming.vertices.begin(), renaming.vertices.end());
     renaming.vertices.erase(std::unique(renaming.vertices.begin(), renaming.vertices.end()),
                             renaming.vertices.end());
@@ -272,8 +315,6 @@ private:
     rename(m_renamed.back().vertices, m_renamed.back().from, m_renamed.back().to);
     for(const Vertex_id u : m_renamed.back().vertices)
       mark(u, Mesh::REFINED);
-    m_mesh.set_halfedge(v, leaving);
-    mark_near_vertices(v);
   }
 
   // Makes pseudo-sources of the vertices around a source. Paths that graze them run through a gap between the windows
@@ -284,18 +325,21 @@ private:
   {
     m_mesh.for_each_halfedge_around(v, [this, v](Halfedge_id h)
     {
-      for(const Halfedge_id e : {h, previous_halfedge(h)})
-      {
-        const Vertex_id u = e == h ? m_mesh.target(e) : m_mesh.source(e);
-        mark(u, Mesh::PSEUDO_SOURCE);
-        if(m_mesh.length(e) <= Tolerance<FT>::length())
-        {
-          mark(u, Mesh::DEGENERATE);
-          mark(v, Mesh::PSEUDO_SOURCE);
-          mark(v, Mesh::DEGENERATE);
-        }
-      }
+      mark_near_vertex(v, m_mesh.target(h), m_mesh.length(h));
+      mark_near_vertex(v, m_mesh.source(previous_halfedge(h)), m_mesh.length(previous_halfedge(h)));
     });
+  }
+
+  // The same for the edge from v to u, given its length. Either vertex, or both, may be a source.
+  void mark_near_vertex(Vertex_id v, Vertex_id u, const FT& length)
+  {
+    mark(u, Mesh::PSEUDO_SOURCE);
+    if(length <= Tolerance<FT>::length())
+    {
+      mark(u, Mesh::DEGENERATE);
+      mark(v, Mesh::PSEUDO_SOURCE);
+      mark(v, Mesh::DEGENERATE);
+    }
   }
 
   // Adds flags to the kind of a vertex, and remembers what it was.
@@ -447,6 +491,56 @@ private:
     return {av, vb};
   }
 
+  // Adds the edge opposite to the source of h, in its face, to the suspects if the whole face is crowded. If it has
+  // only become so, all edges of its parts are suspects.
+  void add_suspects(Halfedge_id h)
+  {
+    const std::vector<Face_id>* const parts = m_parts.parts_of(m_parts.whole(face_of(h)));
+    if(parts == nullptr || parts->size() <= m_parts.few)
+      return;
+    m_suspects.push_back(next_halfedge(h));
+    if(parts->size() <= m_parts.few + 2) // an insertion adds at most two parts
+      for(const Face_id f : *parts)
+        for(unsigned int k = 0; k < 3; ++k)
+          m_suspects.push_back(halfedge_of(f, k));
+  }
+
+  // Replaces the edge h by the other diagonal. The names are those of Edge_flip. The four sides become suspects: in the
+  // new faces, the angles opposite to them are others.
+  //
+  // Faces are saved, and old names remembered, before they change. So undo() works wherever memory ends. The order of
+  // the names in keep_edges() matters: an edge on the border of the whole face is a part of an edge of the first mesh,
+  // and vertices of the first mesh store such edges only. They have to find them again.
+  void flip(Halfedge_id h, const Edge_flip<FT>& edge)
+  {
+    const Halfedge_id o = m_mesh.opposite(h);
+    const Halfedge_id bv = next_halfedge(h), va = previous_halfedge(h);
+    const Halfedge_id ad = next_halfedge(o), db = previous_halfedge(o);
+    const Vertex_id a = m_mesh.source(h), b = m_mesh.target(h), v = m_mesh.target(bv), d = m_mesh.target(ad);
+    const Face_part<FT> s = m_parts.part(face_of(h)), t = m_parts.part(face_of(o));
+    const Coordinates &at_a = s.corner[index_in_face(h)], &at_b = s.corner[index_in_face(bv)],
+                      &at_v = s.corner[index_in_face(va)], &at_d = t.corner[index_in_face(db)];
+    const Draft of_a{{v, a, d}, {edge.va, edge.ad, negated(edge.vd)},
+                     {m_mesh.length(va), m_mesh.length(ad), edge.vd_length}, {at_v, at_a, at_d}};
+    const Draft of_b{{d, b, v}, {edge.db, edge.bv, edge.vd},
+                     {m_mesh.length(db), m_mesh.length(bv), edge.vd_length}, {at_d, at_b, at_v}};
+    std::vector<Kept_edge> kept;
+    for(const Halfedge_id e : {va, ad, db, bv})
+      kept.push_back(Kept_edge{e, m_mesh.opposite(e), null_id, m_mesh.source(e)});
+    save_with_neighbors(face_of(h));
+    save_with_neighbors(face_of(o));
+    kept[0].to = make_face(of_a, s.whole, face_of(h));
+    kept[2].to = make_face(of_b, s.whole, face_of(o));
+    kept[1].to = next_halfedge(kept[0].to);
+    kept[3].to = next_halfedge(kept[2].to);
+    link(previous_halfedge(kept[0].to), previous_halfedge(kept[2].to));
+    keep_edges(kept, Renaming{{a, b}, {h, o}, {kept[1].to, kept[3].to}});
+    mark_near_vertex(v, d, edge.vd_length);
+    mark_near_vertex(d, v, edge.vd_length);
+    for(const Kept_edge& e : kept)
+      m_suspects.push_back(e.to);
+  }
+
   // Remembers a face and those across its edges, whose opposites will change.
   void save_with_neighbors(Face_id s)
   {
@@ -462,6 +556,7 @@ private:
   std::vector<std::pair<Face_id, Face>> m_saved; // in the order of the changes
   std::vector<Renaming> m_renamed;
   std::vector<std::pair<Vertex_id, unsigned char>> m_saved_kinds;
+  std::vector<Halfedge_id> m_suspects; // edges that flip_around() has to look at; a buffer
 };
 
 } // namespace internal

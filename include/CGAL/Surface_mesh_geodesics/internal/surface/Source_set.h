@@ -14,6 +14,7 @@
 // before the propagation starts. Sources are numbered by their positions in the range of the user, from 0.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Face_parts.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
 
@@ -96,6 +97,52 @@ struct Source_set
   }
 };
 
+// Makes vertices of n sources in one face, which are in the order of their coordinates.
+//
+// If these are many, one in the middle of those that are still missing comes next: rank r follows the ranks with fewer
+// bits in the mirror image of r. So the parts of the face shrink evenly, and each insertion flips few edges. (In order
+// of coordinates, each source would be beside all others, and have long and narrow parts beyond.)
+template <typename FT>
+void insert_sources_of_face(const Located_source<FT>* sources, std::size_t n, Source_insertion<FT>& insertion,
+                            std::vector<Vertex_id>& vertices)
+{
+  std::vector<std::size_t> first; // of each run of equal locations
+  for(std::size_t i = 0; i < n; ++i)
+    if(i == 0 || sources[i].coordinates != sources[i - 1].coordinates)
+      first.push_back(i);
+  first.push_back(n);
+  const std::size_t number = first.size() - 1;
+  // Equal locations get one vertex without a search, since rounding may hide it between narrow parts.
+  const auto insert = [&](std::size_t k)
+  {
+    const Located_source<FT>& s = sources[first[k]];
+    const Vertex_id v = insertion.insert(s.face, s.coordinates);
+    for(std::size_t i = first[k]; i < first[k + 1]; ++i)
+      vertices[sources[i].position] = v;
+    return v;
+  };
+  if(number <= Face_parts<FT>::few / 2)
+  {
+    for(std::size_t k = 0; k < number; ++k)
+      insert(k);
+    return;
+  }
+  // k runs through the mirror images of the numbers with as many bits as `limit` has zeros.
+  std::size_t limit = 1;
+  while(limit < number)
+    limit *= 2;
+  for(std::size_t i = 0, k = 0; i < limit; ++i)
+  {
+    if(k < number)
+      insertion.flip_around(insert(k));
+    // Adds 1 to the mirror image: the carry goes downward.
+    std::size_t bit = limit / 2;
+    for(; (k & bit) != 0; bit /= 2)
+      k &= ~bit;
+    k |= bit;
+  }
+}
+
 // Makes vertices of all located sources and sets vertices[position]. Sorts `sources` and inserts in the order of faces
 // and coordinates, so that the refined mesh does not depend on the order in which the user gave the sources. A source
 // at a vertex gets that vertex; equal locations get the same vertex.
@@ -108,12 +155,12 @@ void insert_located_sources(std::vector<Located_source<FT>>& sources, Source_ins
   std::sort(sources.begin(), sources.end(),
             [](const Located_source<FT>& a, const Located_source<FT>& b)
             { return std::tie(a.face, a.coordinates) < std::tie(b.face, b.coordinates); });
-  const Located_source<FT>* last = nullptr;
-  for(const Located_source<FT>& s : sources)
+  for(std::size_t begin = 0, end; begin < sources.size(); begin = end)
   {
-    const bool is_new = last == nullptr || last->face != s.face || last->coordinates != s.coordinates;
-    vertices[s.position] = is_new ? insertion.insert(s.face, s.coordinates) : vertices[last->position];
-    last = &s;
+    for(end = begin + 1; end < sources.size() && sources[end].face == sources[begin].face; ++end)
+    {
+    }
+    insert_sources_of_face(&sources[begin], end - begin, insertion, vertices);
   }
 }
 

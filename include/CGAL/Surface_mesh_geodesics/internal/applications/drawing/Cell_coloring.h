@@ -50,9 +50,9 @@ using Neighbors_of_cells = std::vector<std::vector<std::size_t>>;
 // cell: at most five on a surface without handles, as a planar graph has a vertex with five neighbors or fewer. In a
 // tie, the cell with the smallest number is removed first.
 //
-// On a surface with g handles, n connected cells have at most 6 + 12 (g - 1) / n neighbors on average. For g = 6 that is less
-// than 11 if n > 12, and fewer cells have no more than 11 neighbors anyway. So at most eleven neighbors precede a cell
-// on surfaces with up to six handles, and twelve colors are enough.
+// On a surface with g handles, n connected cells have at most 6 + 12 (g - 1) / n neighbors on average. For g = 6 that
+// is less than 11 if n > 12, and fewer cells have no more than 11 neighbors anyway. So at most eleven neighbors precede
+// a cell on surfaces with up to six handles, and twelve colors are enough.
 //
 // Takes O(k log n) time for n cells and k pairs of neighbors.
 inline std::vector<std::size_t> coloring_order(const Neighbors_of_cells& neighbors)

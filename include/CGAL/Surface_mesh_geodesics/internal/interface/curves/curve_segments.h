@@ -182,8 +182,8 @@ void reject_points_inside(const TriangleMesh& tm, const std::vector<Point_of_fac
   }
 }
 
-// Returns the segment along the halfedge h in its face, or against its direction. Throws Invalid_geodesic_input with the
-// given position if that face is not a triangle. Requires: h has a face.
+// Returns the segment along the halfedge h in its face, or against its direction. Throws Invalid_geodesic_input with
+// the given position if that face is not a triangle. Requires: h has a face.
 template <typename Segment, typename TriangleMesh>
 Segment segment_of_halfedge(const TriangleMesh& tm, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h,
                             bool is_reversed, std::size_t position)

@@ -74,7 +74,9 @@ public:
   }
 
 private:
-  // Returns true only if the cell is known to have one part.
+  // Returns true only if the cell is known to have one part. A disk has one boundary; if each part has arcs on its
+  // boundary, a second part would have a second one. (A disk at the border of the mesh may have several, too: then the
+  // triangles decide.)
   bool is_connected(Vertex_id site, Cell_parts parts) const
   {
     return parts == Cell_parts::ONE || (parts == Cell_parts::WITH_ARCS && m_complex.boundary(site).size() < 2);

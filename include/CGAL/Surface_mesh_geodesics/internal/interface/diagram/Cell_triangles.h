@@ -150,7 +150,8 @@ private:
     return found;
   }
 
-  // Returns whether a part of a face is in a cell.
+  // Returns whether a part of a face is in a cell: then one of its arcs bounds the cell, or no arc crosses the face and
+  // all of it belongs to the site of its corners. Takes time linear in the number of arcs of the face.
   bool is_in_cell(Face_id f, Vertex_id site) const
   {
     if(m_complex.owner(m_mesh.face(f).vertex[0]) == site)
@@ -162,7 +163,9 @@ private:
     return false;
   }
 
-  // Names the vertices on the border of a face in the order of Voronoi_face_cut, and the pieces behind them.
+  // Names the vertices on the border of a face in the order of Voronoi_face_cut, and the pieces behind them. Fractions
+  // are kept for vertices that are new: an Edge_contraction takes time linear in the number of nodes on the edge, so it
+  // is made once for each edge.
   void name_border(Face_id f)
   {
     m_vertex_names.clear();
@@ -197,8 +200,8 @@ private:
     return inserted.first->second;
   }
 
-  // Returns vertex i of the border of the present face: a vertex of the refined mesh, or one on an edge of it. Its point
-  // is found from the halfedge with the smaller index, as cut() does, so that both meshes have the same bits.
+  // Returns vertex i of the border of the present face: a vertex of the refined mesh, or one on an edge of it. Its
+  // point is found from the halfedge with the smaller index, as cut() does, so that both meshes have the same bits.
   Vertex vertex_on_border(std::uint32_t i) const
   {
     const Name& name = m_vertex_names[i];
@@ -229,7 +232,8 @@ private:
     return Oriented_index(inserted.first->second, is_reversed);
   }
 
-  // Adds a triangle of the cut of face f, given its vertices there counterclockwise.
+  // Adds a triangle of the cut of face f, given its vertices there counterclockwise. Vertices and edges that other
+  // triangles have made already, in this face or across its border, are found by their names.
   void add_triangle(Face_id f, const Voronoi_face_cut& cut, const std::array<std::uint32_t, 3>& corner)
   {
     Triangle t;

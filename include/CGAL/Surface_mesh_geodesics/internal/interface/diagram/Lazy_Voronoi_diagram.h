@@ -274,7 +274,8 @@ public:
     return complex().owner(v) == v && m_solver.source_at(v) == i;
   }
 
-  // Returns which parts the cell of a site may have. Linear in the number of sites on walls; curves are not among these.
+  // Returns which parts the cell of a site may have. Linear in the number of sites on walls; curves are not among
+  // these.
   Cell_parts parts_of_cell(std::size_t i) const
   {
     const std::vector<std::size_t>& on_walls = m_solver.sources().behind_walls;
