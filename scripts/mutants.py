@@ -27,7 +27,9 @@ STARS = INTERNAL + "propagation/Star_propagation.h"
 SECTOR = INTERNAL + "propagation/Emission_sector.h"
 NORMALS = INTERNAL + "propagation/Sector_between_normals.h"
 WAVEFRONT = INTERNAL + "propagation/Wavefront.h"
-SOURCES = INTERNAL + "surface/Source_insertion.h"
+SOURCES = INTERNAL + "surface/sources/Source_insertion.h"
+FACE_PARTS = INTERNAL + "surface/sources/Face_parts.h"
+EDGE_FLIP = INTERNAL + "surface/sources/Edge_flip.h"
 INDEX_TABLE = INTERNAL + "numeric/Index_table.h"
 PARALLEL = INTERNAL + "propagation/parallel/Parallel_distance_propagation.h"
 PART = INTERNAL + "propagation/parallel/Wavefront_part.h"
@@ -49,7 +51,7 @@ PATH_SOLVER = INTERNAL + "interface/Path_solver.h"
 LOCATION_DISTANCE = INTERNAL + "paths/distance_at_location.h"
 CURVE_INSERTION = INTERNAL + "surface/curves/Curve_insertion.h"
 DISTANCE_FIELD = INTERNAL + "surface/Vertex_distance_field.h"
-SOURCE_SET = INTERNAL + "surface/Source_set.h"
+SOURCE_SET = INTERNAL + "surface/sources/Source_set.h"
 CURVE_SIDES = INTERNAL + "surface/curves/Curve_sides.h"
 ISOLINE_CHOICE = INTERNAL + "interface/isolines/Isoline_choice.h"
 CURVE_PATH_WRITER = INTERNAL + "interface/curves/Curve_path_writer.h"
@@ -95,7 +97,7 @@ DIAGRAM_SAMPLES = INTERNAL + "applications/Diagram_samples.h"
 SITE_WITNESS = INTERNAL + "applications/Site_witness.h"
 ARC_PIECE = INTERNAL + "certificate/Arc_piece.h"
 INTRINSIC_MESH = INTERNAL + "surface/Intrinsic_mesh.h"
-EQUAL_SOURCES = INTERNAL + "surface/equal_sources.h"
+EQUAL_SOURCES = INTERNAL + "surface/sources/equal_sources.h"
 LOCATOR = INTERNAL + "Voronoi/Cell_locator.h"
 TRACER = INTERNAL + "Voronoi/fronts/Front_tracer.h"
 FRONT_COMPLETION = INTERNAL + "Voronoi/fronts/Front_completion.h"
@@ -1372,8 +1374,23 @@ MUTANTS = [
     ("border_through_faces_to_avoid", BORDER_CYCLES,
      "while(!is_open(opposite(h, tm)))", "while(false)",
      "the border of the rest leads on along an edge that is not on it", (BORDER_CURVES,)),
+    ("crowded_face_without_flips", SOURCE_SET,
+     "insertion.flip_around(insert(k));", "insert(k);",
+     "parts of a face with many sources are long and narrow", ("test_crowded_sources",)),
+    ("flip_of_new_edges_only", SOURCES,
+     "    for(const Kept_edge& e : kept)\n      m_suspects.push_back(e.to);\n", "",
+     "edges whose opposite angles a flip has changed are not looked at", ("test_crowded_sources",)),
+    ("flip_forgets_names", SOURCES,
+     "Renaming{{a, b}, {h, o}, {kept[1].to, kept[3].to}}", "Renaming{}",
+     "a vertex stores an edge that a flip has replaced", ("test_crowded_sources",)),
+    ("flip_turns_the_other_way", EDGE_FLIP,
+     "sine = cross(from, to) / lengths;", "sine = cross(to, from) / lengths;",
+     "the second face is turned in the wrong direction", ("test_crowded_sources",)),
+    ("walk_to_any_part", FACE_PARTS,
+     "if(!(c[k] < 0))\n      {", "if(true)\n      {",
+     "a point is looked for in the part where the walk begins", ("test_crowded_sources",)),
     ("border_in_the_other_direction", SURFACE_CURVE,
-     "(tm, opposite(h, tm), true));", "(tm, opposite(h, tm), false));",
+     "(tm, opposite(h, tm), true, segments.size()));", "(tm, opposite(h, tm), false, segments.size()));",
      "the segments of a border do not join", (BORDER_CURVES,)),
     ("curve_of_paths_from_inside", CURVE_SEGMENTS,
      "is_inside = is_inside && is_avoided(f);", "is_inside = false && is_avoided(f);",

@@ -10,9 +10,9 @@
 
 #include <CGAL/Surface_mesh_geodesics/certify_geodesic_Voronoi_diagram.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_distances.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Face_parts.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Source_set.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Face_parts.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Source_insertion.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Source_set.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/mesh_invariants.h>
 
 #include <algorithm>

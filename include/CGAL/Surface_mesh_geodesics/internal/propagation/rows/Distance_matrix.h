@@ -23,8 +23,8 @@
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/rows/Ordered_rows.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/rows/Target_region.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Source_set.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Source_insertion.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Source_set.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/walls/Vertex_copies.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
 

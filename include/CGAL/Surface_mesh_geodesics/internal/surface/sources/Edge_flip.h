@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Surface_mesh_geodesics authors
 
-#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_EDGE_FLIP_H
-#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_EDGE_FLIP_H
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_SOURCES_EDGE_FLIP_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_SOURCES_EDGE_FLIP_H
 
 // An edge between two flat faces, and the other diagonal of their quadrangle: whether it should take its place, so that
 // faces become those of a Delaunay triangulation (Lawson, 1977), and the vectors of the faces that it makes.
@@ -100,8 +100,8 @@ private:
   static FT cross(const Vector& u, const Vector& w) { return u.x * w.y - u.y * w.x; }
   static FT dot(const Vector& u, const Vector& w) { return u.x * w.x + u.y * w.y; }
 
-  // From v to d along two sides, the shorter way. If (v, d) is much shorter, these sides nearly cancel in their sum, and
-  // its direction would not be known to enough digits.
+  // From v to d along two sides, the shorter way. If (v, d) is much shorter, these sides nearly cancel in their sum,
+  // and its direction would not be known to enough digits.
   FT m_way;
 };
 
@@ -109,4 +109,4 @@ private:
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_EDGE_FLIP_H
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_SOURCES_EDGE_FLIP_H

@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Surface_mesh_geodesics authors
 
-#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_EQUAL_SOURCES_H
-#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_EQUAL_SOURCES_H
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_SOURCES_EQUAL_SOURCES_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_SOURCES_EQUAL_SOURCES_H
 
 // Sources that are nowhere nearer than another one by more than rounding: all paths from them tie with paths from that
 // one, or are longer. The bisector of two such sources cannot be computed, so one of them gets the whole cell.
@@ -132,4 +132,4 @@ void for_each_equal_source(const Intrinsic_mesh<FT>& mesh, const std::vector<Ver
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_EQUAL_SOURCES_H
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_SOURCES_EQUAL_SOURCES_H

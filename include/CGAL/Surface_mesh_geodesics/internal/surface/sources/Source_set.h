@@ -7,15 +7,15 @@
 //
 // Author(s)     : The Surface_mesh_geodesics authors
 
-#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_SOURCE_SET_H
-#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_SOURCE_SET_H
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_SOURCES_SOURCE_SET_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_SOURCES_SOURCE_SET_H
 
 // The sources of a propagation in terms of the intrinsic mesh: vertices, and locations in faces, which become vertices
 // before the propagation starts. Sources are numbered by their positions in the range of the user, from 0.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Face_parts.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Face_parts.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Source_insertion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
 
 #include <CGAL/assertions.h>
@@ -209,4 +209,4 @@ private:
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_SOURCE_SET_H
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_SOURCES_SOURCE_SET_H

@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Surface_mesh_geodesics authors
 
-#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_SOURCE_INSERTION_H
-#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_SOURCE_INSERTION_H
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_SOURCES_SOURCE_INSERTION_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_SOURCES_SOURCE_INSERTION_H
 
 // Makes a vertex of a source inside a face or on an edge (thesis, section 3.1 and figure 3.1): refines the intrinsic
 // mesh around it, and can undo all refinements. The surface stays the same, and the new vertices are flat.
@@ -22,8 +22,8 @@
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Edge_flip.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Face_parts.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Edge_flip.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Face_parts.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/mesh_invariants.h>
@@ -563,4 +563,4 @@ private:
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_SOURCE_INSERTION_H
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_SOURCES_SOURCE_INSERTION_H

@@ -7,15 +7,15 @@
 //
 // Author(s)     : The Surface_mesh_geodesics authors
 
-#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_FACE_PARTS_H
-#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_FACE_PARTS_H
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_SOURCES_FACE_PARTS_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_SOURCES_FACE_PARTS_H
 
 // The parts into which sources divide faces of the first mesh: which part holds a point, and where a point of a part is
 // in the whole face.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Location_in_part.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Location_in_part.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
 
 #include <algorithm>
@@ -275,4 +275,4 @@ private:
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_FACE_PARTS_H
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_SOURCES_FACE_PARTS_H

@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Surface_mesh_geodesics authors
 
-#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_LOCATION_IN_PART_H
-#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_LOCATION_IN_PART_H
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_SOURCES_LOCATION_IN_PART_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_SOURCES_LOCATION_IN_PART_H
 
 // The location of a point of a face in a triangle that is a part of the face. The point and the corners of the part are
 // given by barycentric coordinates in the face; the class computes the coordinates in the part, and a bound on the
@@ -162,4 +162,4 @@ private:
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_LOCATION_IN_PART_H
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_SOURCES_LOCATION_IN_PART_H
