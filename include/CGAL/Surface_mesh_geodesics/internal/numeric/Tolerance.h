@@ -103,6 +103,17 @@ struct Tolerance
     return sqrt(epsilon()) / 1024;
   }
 
+  // Relative to the longest side L: a face with a smaller height h has degenerate corners. A path across it may miss a
+  // corner by h, and is then about h^2 / L shorter than the path through that corner. This is less than 16 epsilon() L
+  // here, and images err by as much. So the comparison with the corner may remove the window of the shortest path, and
+  // only a corner that sends windows everywhere carries the path on. (Most heights are far above: the longest side is
+  // about 10^7 times as long here.)
+  static FT narrow_face()
+  {
+    using std::sqrt;
+    return 4 * sqrt(epsilon());
+  }
+
   // Relative to pi: the excess of a vertex angle above which shortest paths bend at the vertex. Larger than the
   // rounding of a sum of angles, so that flat vertices stay flat; smaller than the angles of all faces that have a
   // height by length(), so that no face is hidden behind a vertex.

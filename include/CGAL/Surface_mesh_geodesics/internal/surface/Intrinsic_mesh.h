@@ -507,7 +507,7 @@ private:
   // pseudo-sources, whatever their angles are. Their angles have no correct digit, so no bound on them helps.
   void mark_degenerate(const Face& f)
   {
-    const bool is_flat = has_no_height(f);
+    const bool is_flat = is_narrow(f);
     for(unsigned int k = 0; k < 3; ++k)
       if(is_flat || f.length[k] <= Tolerance<FT>::length())
       {
@@ -527,7 +527,7 @@ private:
     {
       std::vector<std::size_t> of_block;
       for(std::size_t f = first; f < last; ++f)
-        if(m_faces[f].length[0] <= Tolerance<FT>::length() || has_no_height(m_faces[f]))
+        if(m_faces[f].length[0] <= Tolerance<FT>::length() || is_narrow(m_faces[f]))
           of_block.push_back(f);
       const std::lock_guard<std::mutex> lock(mutex);
       degenerate.insert(degenerate.end(), of_block.begin(), of_block.end());
