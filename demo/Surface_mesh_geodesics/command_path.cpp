@@ -14,6 +14,7 @@
 #include "Path_finder.h"
 #include "Reachability.h"
 
+#include <algorithm>
 #include <iterator>
 #include <limits>
 #include <memory>
@@ -113,6 +114,13 @@ void check_reached(const Mesh& mesh, const std::vector<Location>& targets, const
   if(n == targets.size())
     throw Command_error(Exit_code::NO_RESULT, text + reason_for_unreached(mesh, avoids_faces));
   console.note(text + reason_for_unreached(mesh, avoids_faces));
+}
+
+// A path from a source to itself is a point. Files of lines leave it out; if there is nothing else, they are empty.
+void note_missing_lines(const std::vector<Path>& paths, const Console& console)
+{
+  if(std::none_of(paths.begin(), paths.end(), [](const Path& path) { return path.points.size() > 1; }))
+    console.note("all paths are single points, which only tables have");
 }
 
 void write_paths_table(std::ostream& os, const std::vector<Location>& sources, const std::vector<Location>& targets,
@@ -227,6 +235,8 @@ void run(const Arguments& arguments, const Console& console)
   const std::vector<Path> paths
     = find_paths(finder == nullptr ? distances->paths().finder : *finder, targets, console);
   check_reached(mesh, targets, paths, has_obstacles(arguments), console);
+  if(files.have({"obj", "ply", "vtk", "vtu", "polylines.txt"}))
+    note_missing_lines(paths, console);
   const Drawing drawing = drawing_of(sources, targets, paths);
   files.write([&](std::ostream& os, const std::string& format)
   {

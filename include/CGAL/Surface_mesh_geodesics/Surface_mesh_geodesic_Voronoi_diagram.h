@@ -98,7 +98,8 @@ cells may meet.
 A point or a segment on several curves with the same weight belongs to all of them, and so do all points that are
 nearest to it: where two curves meet in a corner, the whole region that is nearest to the corner. `nearest_sites()`
 tells all of them. As cells do not overlap, the region is a part of the cell of the first one. A curve that lies on
-earlier ones has an empty cell.
+earlier ones has an empty cell. The cell of a point on a curve that comes later is that point alone: it has no area, and
+the cell of the curve is not a disk, as it lacks that point.
 
 <b>Walls.</b> `avoid_edges()` makes walls of edges. The surface is cut along them: for all that this class tells, a wall
 is a border of the mesh on each of its sides, and a vertex of a wall is one vertex for each sector of faces between

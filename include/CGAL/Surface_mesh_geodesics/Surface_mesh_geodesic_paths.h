@@ -144,7 +144,8 @@ constant `no_source`; for "no site" it is the function `null_site()`.
   `farthest_vertex()`, `shortest_path_polyline_to_source_points()`, `isolines()`, `signed_isolines()`,
   `add_source_curve()`, `nearest_location_of_sources()`, `direction_at_source()`, `directions_at_source()`,
   `avoid_faces()`, `avoid_edges()`, and the static overload of `build_aabb_tree()` for a mesh and
-  a tree, which the original documents but does not have.
+  a tree, which the original documents but does not have. As `build_sequence_tree()` has an overload for a visitor, a
+  program that takes its address has to name the type of the pointer, or to use a lambda.
 - <em>Fewer members:</em> objects cannot be copied (copies of the original share memory that each of them frees). The
   undocumented members for debugging do not exist: `m_debugOutput`, and, with assertions, `peak_node_count()`,
   `current_node_count()`, `peak_queue_size()`, `peak_memory_usage()`, `current_memory_usage()`.

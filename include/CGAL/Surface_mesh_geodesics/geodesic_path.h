@@ -196,7 +196,8 @@ neither point is a vertex, the point type of the mesh must be that of a kernel o
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the distance in the unit of the points; infinity if no path leads from one point to the other
+\return the distance in the unit of the points, between two locations rounded to the number type of the points;
+        infinity if no path leads from one point to the other
 
 \throws Invalid_geodesic_input if the mesh or a point is one that `geodesic_distances()` rejects
 */
@@ -243,7 +244,8 @@ path in time linear in the number of its points. A near pair costs little more t
 
 \pre the value type of the point map is `Kernel::Point_3` for a kernel of \cgal
 
-\return the length of the path; infinity if there is none. Then nothing is written.
+\return the length of the path, rounded to the number type of the points; infinity if there is none. Then nothing is
+        written.
 
 \throws Invalid_geodesic_input if the mesh or a point is one that `geodesic_distances()` rejects
 \throws std::runtime_error if rounding hides the path

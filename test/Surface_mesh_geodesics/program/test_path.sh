@@ -43,6 +43,9 @@ awk '{ s = 0; for(i = 5; i < NF; i += 3) s += sqrt(($i - $(i-3))^2 + ($(i+1) - $
   getline length_in_table < "lengths"
   if((s - length_in_table)^2 > 1e-24 || NF != 3 * $1 + 1) exit 1 }' all.polylines.txt
 
+# Nothing but the path from a source to itself.
+remarks "all paths are single points, which only tables have" path "$grid" --source 0 --target 0 -o point.obj
+
 # A target that no source reaches.
 remarks "no source reaches 3 of 6 targets; the first one is vertex 3; the mesh has 2 components" \
   path "$data/two_components.off" --source 0 --target all

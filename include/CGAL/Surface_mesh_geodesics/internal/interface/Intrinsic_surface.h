@@ -564,8 +564,8 @@ private:
   {
     if(!offsets.empty() && offsets.size() != set.size())
       throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::INVALID_OFFSET,
-                                   std::to_string(offsets.size()) + " offsets for " + std::to_string(set.size())
-                                     + " sources");
+                                   std::to_string(offsets.size()) + " offsets or weights for "
+                                     + std::to_string(set.size()) + " sources or sites");
     for(const double offset : offsets)
       add_offset(offset, set);
   }
