@@ -592,15 +592,17 @@ MUTANTS = [
      "a run after one that ran out of memory does not visit vertices of the run before",
      ("test_parallel_out_of_memory",)),
     ("renaming_remembered_too_late", SOURCES,
-     "    m_renamed.push_back(std::move(renaming)); // before the change, for undo()\n"
-     "    rename(m_renamed.back().vertices, m_renamed.back().from, m_renamed.back().to);\n",
+     "    if(renaming.vertices.front() < m_number_of_vertices) // one of the first mesh\n"
+     "      m_renamed.push_back(renaming); // before the change, for undo()\n"
+     "    rename(renaming.vertices, renaming.from, renaming.to);\n",
      "    rename(renaming.vertices, renaming.from, renaming.to);\n"
-     "    m_renamed.push_back(std::move(renaming));\n",
+     "    if(renaming.vertices.front() < m_number_of_vertices)\n"
+     "      m_renamed.push_back(renaming);\n",
      "a mesh that runs out of memory keeps halfedges of faces that have been removed",
      ("test_parallel_out_of_memory",)),
     ("parts_kept_without_saved_faces", SOURCES,
-     "    m_parts.clear();\n    if(m_saved.empty())\n      return;\n", "    if(m_saved.empty())\n      return;\n"
-     "    m_parts.clear();\n",
+     "    m_parts.clear();\n    m_crowded.clear();\n    if(m_saved.empty())\n      return;\n",
+     "    m_crowded.clear();\n    if(m_saved.empty())\n      return;\n    m_parts.clear();\n",
      "a mesh that runs out of memory knows a face without parts", ("test_parallel_out_of_memory",)),
     ("parallel_end_too_early", PART,
      "m_nearest_key = m_batch.empty() ? m_queue.nearest_key() : m_batch.front().key;\n    m_farthest_key = 0;",

@@ -320,18 +320,13 @@ bool has_memory(long n, const Function& function)
   return result;
 }
 
-// Sources in faces, on edges and at vertices: wherever memory ends while they are inserted, undo() restores the mesh to
-// the same bits, and they can be inserted afterwards.
-void insertions_out_of_memory_change_nothing()
+// Wherever memory ends while sources are inserted, undo() restores the mesh to the same bits, and they can be inserted
+// afterwards.
+template <typename InsertAll>
+void insertions_out_of_memory_change_nothing(const InsertAll& insert_all)
 {
   using namespace test_meshes;
   const auto first = intrinsic_mesh(to_face_graph(flat_patch(6, 6, .3, true, 5)));
-  const auto insert_all = [](internal::Source_insertion<double>& insertion)
-  {
-    for(internal::Face_id f = 10; f < 30; ++f)
-      insertion.insert(f, f % 3 == 0 ? internal::Barycentric<double>{.25, .75, 0}
-                                     : internal::Barycentric<double>{.2, .3, .5});
-  };
   auto complete = first;
   internal::Source_insertion<double> undisturbed(complete);
   insert_all(undisturbed);
@@ -400,7 +395,22 @@ void meshes_that_grow_out_of_memory_leave_no_trace()
 
 int main()
 {
-  insertions_out_of_memory_change_nothing();
+  // in faces and on edges
+  insertions_out_of_memory_change_nothing([](internal::Source_insertion<double>& insertion)
+  {
+    for(internal::Face_id f = 10; f < 30; ++f)
+      insertion.insert(f, f % 3 == 0 ? internal::Barycentric<double>{.25, .75, 0}
+                                     : internal::Barycentric<double>{.2, .3, .5});
+  });
+  // so many in one face that edges are flipped
+  insertions_out_of_memory_change_nothing([](internal::Source_insertion<double>& insertion)
+  {
+    for(int i = 1; i < 40; ++i)
+    {
+      const double x = .02 * i, y = (1 - x) * (i * 7 % 11 + 1) / 13;
+      insertion.flip_around(insertion.insert(10, internal::Barycentric<double>{1 - x - y, x, y}));
+    }
+  });
   meshes_that_grow_out_of_memory_leave_no_trace();
   tables_out_of_memory_keep_their_entries();
   const auto mesh = test_meshes::intrinsic_mesh(

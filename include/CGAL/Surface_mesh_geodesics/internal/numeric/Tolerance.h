@@ -86,6 +86,11 @@ struct Tolerance
   // not zero. Coordinates that err by more mean nothing.
   static FT known_coordinate() { return FT(1) / 4; }
 
+  // Relative to 1: if the coordinates of a point in a part of a face err by more, another part that has the point
+  // outside by rounding is preferred. A point would move by this much of the narrow part; a cluster of sources of 10^-9
+  // of the face has parts whose coordinates err by less.
+  static FT narrow_part() { return FT(1) / 1024; }
+
   // Relative to the longest side: the amount by which it may exceed the sum of the two others. Lengths that are
   // computed from coordinates err by a few epsilon.
   static FT triangle_inequality() { return 64 * input_epsilon(); }
@@ -106,8 +111,8 @@ struct Tolerance
   // Relative to the longest side L: a face with a smaller height h has degenerate corners. A path across it may miss a
   // corner by h, and is then about h^2 / L shorter than the path through that corner. This is less than 16 epsilon() L
   // here, and images err by as much. So the comparison with the corner may remove the window of the shortest path, and
-  // only a corner that sends windows everywhere carries the path on. (Most heights are far above: the longest side is
-  // about 10^7 times as long here.)
+  // only a corner that sends windows everywhere carries the path on. (This is for faces of the first mesh. Parts of a
+  // face have pseudo-sources at all corners, and may be narrow beside a source that is near an edge.)
   static FT narrow_face()
   {
     using std::sqrt;

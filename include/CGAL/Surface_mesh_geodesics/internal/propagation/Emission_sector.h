@@ -58,7 +58,7 @@ public:
   // Four kinds of vertices emit into all faces:
   // - a source that is on no curve: no path arrives at it;
   // - a pinched vertex: angles are measured within one umbrella only;
-  // - a degenerate vertex, whose angles carry no information;
+  // - a degenerate vertex: paths that miss it tie with those through it, whatever its angles are;
   // - a vertex that has emitted before: an improvement of its distance by little more than rounding may come with an
   //   almost arbitrary direction. This is rare.
   //

@@ -58,8 +58,8 @@ public:
   {
     PSEUDO_SOURCE = 1, // shortest paths may bend here: a saddle, a reflex border vertex, a pinch
     PINCHED = 2,       // surrounded by several umbrellas; also a PSEUDO_SOURCE
-    DEGENERATE = 4,    // of an edge or a face that rounding nearly erases, so that its angles mean nothing; also a
-                       // PSEUDO_SOURCE
+    DEGENERATE = 4,    // of an edge that rounding nearly erases, or a face so narrow that paths tie with those through
+                       // its corners; also a PSEUDO_SOURCE
     REFINED = 8        // its faces have changed since the mesh was built
   };
 
@@ -503,13 +503,13 @@ private:
     return {face_of(*extremes.first), face_of(*extremes.second) + 1};
   }
 
-  // Marks the ends of an edge that rounding nearly erases, and the corners of a face whose height it nearly erases, as
-  // pseudo-sources, whatever their angles are. Their angles have no correct digit, so no bound on them helps.
+  // Marks the ends of an edge that rounding nearly erases, and the corners of a narrow face, as pseudo-sources,
+  // whatever their angles are: no bound on these helps, as a path that misses the vertex ties with the one through it.
   void mark_degenerate(const Face& f)
   {
-    const bool is_flat = is_narrow(f);
+    const bool has_narrow_corners = is_narrow(f);
     for(unsigned int k = 0; k < 3; ++k)
-      if(is_flat || f.length[k] <= Tolerance<FT>::length())
+      if(has_narrow_corners || f.length[k] <= Tolerance<FT>::length())
       {
         m_vertex_kind[f.vertex[k]] |= DEGENERATE | PSEUDO_SOURCE;
         m_vertex_kind[f.vertex[next_corner(k)]] |= DEGENERATE | PSEUDO_SOURCE;

@@ -134,6 +134,14 @@ public:
     return best_seeing != none && is_tie ? best_seeing : best;
   }
 
+  // Returns the nearest image of all sites, the lowest index in a tie. Requires: there is an image.
+  std::size_t nearest(const Point& p) const
+  {
+    CGAL_assertion(!m_images.empty());
+    const auto is_less = [&](const Image& a, const Image& b) { return a.distance_to(p) < b.distance_to(p); };
+    return static_cast<std::size_t>(std::min_element(m_images.begin(), m_images.end(), is_less) - m_images.begin());
+  }
+
   // Returns the images of a site that tie with its nearest one at p, up to the error of images (Tolerance::tie()), in
   // ascending order, whether they see p or bend. None if the site has no image.
   std::vector<std::size_t> tied_images(Vertex_id site, const Point& p) const

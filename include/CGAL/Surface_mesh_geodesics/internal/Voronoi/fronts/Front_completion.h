@@ -172,20 +172,21 @@ private:
 
   // Returns the segment pq as a piece of f, with the images that are nearest at its middle. Where two cells meet along
   // an edge, the paths of one of them may come from the other face only; then the nearer image stands for both.
-  // Requires: the face has an image of one of the two cells at least.
+  // Where rounding parts points that are one, both may: then the nearest image of any cell stands for them.
+  // Requires: the face has an image.
   Piece straight_piece(const Front& f, const Point& p, const Point& q) const
   {
     const Point middle = midpoint(p, q);
     const std::size_t none = Front::none;
-    const std::size_t l = m_images.nearest_of(f.left, middle), r = m_images.nearest_of(f.right, middle);
-    CGAL_expensive_assertion(l != none || r != none);
+    std::size_t l = m_images.nearest_of(f.left, middle), r = m_images.nearest_of(f.right, middle);
+    if(l == none)
+      l = r != none ? r : m_images.nearest(middle);
+    if(r == none)
+      r = l;
     Piece piece;
     piece.end = q;
-    if(l != none)
-      piece.left = m_images.point_toward(m_images[l], middle);
-    piece.right = r != none ? m_images.point_toward(m_images[r], middle) : piece.left;
-    if(l == none)
-      piece.left = piece.right;
+    piece.left = m_images.point_toward(m_images[l], middle);
+    piece.right = m_images.point_toward(m_images[r], middle);
     const FT at_left = piece.left.distance_to(middle), at_right = piece.right.distance_to(middle);
     if(is_clearly_less(at_left, at_right))
       piece.right = piece.left;

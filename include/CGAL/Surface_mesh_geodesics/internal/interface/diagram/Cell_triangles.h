@@ -106,8 +106,8 @@ private:
   // its source). The piece of an edge that begins at a position has the name of that position.
   using Name = std::pair<std::uint32_t, std::uint32_t>;
 
-  // Returns the faces that the cell of a site is in, ascending. The faces of the boundary come first, as they are in
-  // all parts of the cell. One face after the other is found around the corners of those before.
+  // Returns the faces that the cell of a site is in, ascending. The faces of the boundary come first, as each part of
+  // the cell has some of them. One face after the other is found around the corners of those before.
   // Requires: the cell is connected, or each of its parts has arcs on its boundary.
   std::vector<Face_id> faces_of_cell(Vertex_id site) const
   {

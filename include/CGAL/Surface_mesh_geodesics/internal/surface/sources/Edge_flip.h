@@ -74,7 +74,7 @@ public:
   }
 
 private:
-  // The layout of the second face sees the edge along its own base, so its vectors are turned before they are used.
+  // The two layouts see the edge in different directions, so the vectors of the second face are turned.
   // The rotation that takes one direction to another one. If one of the two has no length, it turns nothing.
   struct Turn_to_first
   {

@@ -14,6 +14,7 @@
 // in the whole face.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Location_in_part.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
@@ -182,6 +183,8 @@ private:
       const Face_id next = part_across(mesh, halfedge_of(s, next_corner(k)));
       if(!(c[k] < 0))
       {
+        if(std::count(c.begin(), c.end(), FT(0)) > 1 && location.rounding() > Tolerance<FT>::location())
+          return null_id; // other parts at this corner may know better
         local = c;
         return c[k] == 0 && next != null_id && knows_better(next, b, location.rounding(), local) ? next : s;
       }
@@ -238,23 +241,46 @@ private:
     return o != null_id && is_inside_whole(h, o) ? face_of(o) : null_id;
   }
 
-  // Returns the part that contains b, and sets its coordinates there. If rounding leaves several parts, the one where
-  // no coordinate is negative, or the least one is largest, wins; then the one where the coordinates are known best;
-  // then the first one.
+  // Returns the part that contains b, and sets its coordinates there.
+  //
+  // Between points that are nearly on a line there are parts as narrow as rounding, in which almost any point may seem
+  // to be. If such a part is found, a part whose coordinates are known better may have the point outside by rounding.
+  // Then the point moves into that part.
+  Face_id find_part(const std::vector<Face_id>& parts, const Barycentric<FT>& b, Barycentric<FT>& local) const
+  {
+    FT rounding;
+    const Face_id part = best_part(parts, b, false, local, rounding);
+    if(!(rounding > Tolerance<FT>::narrow_part()))
+      return part;
+    const Face_id better = best_part(parts, b, true, local, rounding);
+    for(FT& c : local)
+      c = (std::max)(c, FT(0));
+    const FT sum = local[0] + local[1] + local[2];
+    for(FT& c : local)
+      c /= sum;
+    return better;
+  }
+
+  // Does so. If several parts contain b up to rounding, the one where no coordinate is negative, or the least one is
+  // largest, wins; then the one where the coordinates are known best; then the first one. With `allows_rounding`, no
+  // coordinate counts as negative that may be positive by rounding. Sets the error bound of the coordinates.
   //
   // Narrow parts, where nothing is known, are passed over. Some part is wide enough: together they cover the face,
   // whose area in its own coordinates is that of the unit triangle. `local` is set only by such a part.
-  Face_id find_part(const std::vector<Face_id>& parts, const Barycentric<FT>& b, Barycentric<FT>& local) const
+  Face_id best_part(const std::vector<Face_id>& parts, const Barycentric<FT>& b, bool allows_rounding,
+                    Barycentric<FT>& local, FT& best_rounding) const
   {
     Face_id best = parts.front();
-    FT best_minimum = -std::numeric_limits<FT>::infinity(), best_rounding = -best_minimum;
+    FT best_minimum = -std::numeric_limits<FT>::infinity();
+    best_rounding = -best_minimum;
     for(Face_id s : parts)
     {
       Location_in_part<FT> location(m_part_of.at(s).corner, b);
       if(!location.is_known())
         continue;
       location.snap();
-      const FT minimum = (std::min)(FT(0), location.least_coordinate());
+      const FT least = location.least_coordinate() + (allows_rounding ? location.rounding() : FT(0));
+      const FT minimum = (std::min)(FT(0), least);
       if(!(minimum > best_minimum || (minimum == best_minimum && location.rounding() < best_rounding)))
         continue;
       best_minimum = minimum;

@@ -35,6 +35,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -54,7 +55,8 @@ namespace internal {
 // The *first mesh* is the mesh without inserted sources, as it was at the construction or the last restart().
 //
 // Invariants, between public functions: m_saved has each changed face of the first mesh as it was before each change,
-// in that order, m_saved_kinds each changed kind; parts() knows all faces that are parts of a face of the first mesh.
+// in that order, m_saved_kinds each changed kind of its vertices; parts() knows all faces that are parts of a face of
+// the first mesh.
 template <typename FT_>
 class Source_insertion
 {
@@ -111,8 +113,8 @@ public:
   }
 
   // Makes the parts of crowded faces around v those of a Delaunay triangulation, by flips of their edges (Lawson,
-  // 1977), if they are so apart from the parts around v. Else parts become long and narrow, so that windows and arcs
-  // cross many of them; with few parts that costs less than flips. Takes time proportional to the number of flips.
+  // 1977). Else parts become long and narrow, so that windows and arcs cross many of them; with few parts that costs
+  // less than flips. Takes time proportional to the number of flips, the first time to that of parts.
   //
   // Flips lose no digits: the new edge is not much shorter than two sides that it is the sum of, and an edge that is
   // Delaunay up to a margin stays.
@@ -141,6 +143,7 @@ public:
     m_renamed.clear();
     m_saved_kinds.clear();
     m_parts.clear();
+    m_crowded.clear();
     CGAL_assertion(m_saved.empty() && m_renamed.empty());
     m_number_of_vertices = m_mesh.number_of_vertices();
     m_number_of_faces = m_mesh.number_of_faces();
@@ -148,13 +151,14 @@ public:
 
   // Removes all inserted vertices: restores each face, vertex and kind to the same bits. Takes time for what the
   // insertions have changed. Changes are taken back in reverse order, since a face may have been saved several times.
-  // The mesh is truncated last: among the saved faces and kinds are those of faces and vertices that were added.
+  // The mesh is truncated last, which removes the faces and vertices that were added: their changes are not saved.
   //
   // Does so after insert() has thrown, too, wherever memory ended: each change is remembered before it is made. (The
   // tables of parts may then know a face although no face has been saved.)
   void undo()
   {
     m_parts.clear();
+    m_crowded.clear();
     if(m_saved.empty())
       return;
     for(; !m_renamed.empty(); m_renamed.pop_back())
@@ -311,9 +315,10 @@ private:
     std::sort(renaming.vertices.begin(), renaming.vertices.end());
     renaming.vertices.erase(std::unique(renaming.vertices.begin(), renaming.vertices.end()),
                             renaming.vertices.end());
-    m_renamed.push_back(std::move(renaming)); // before the change, for undo()
-    rename(m_renamed.back().vertices, m_renamed.back().from, m_renamed.back().to);
-    for(const Vertex_id u : m_renamed.back().vertices)
+    if(renaming.vertices.front() < m_number_of_vertices) // one of the first mesh
+      m_renamed.push_back(renaming); // before the change, for undo()
+    rename(renaming.vertices, renaming.from, renaming.to);
+    for(const Vertex_id u : renaming.vertices)
       mark(u, Mesh::REFINED);
   }
 
@@ -342,10 +347,11 @@ private:
     }
   }
 
-  // Adds flags to the kind of a vertex, and remembers what it was.
+  // Adds flags to the kind of a vertex, and remembers what it was, if the vertex is one of the first mesh.
   void mark(Vertex_id v, unsigned char kind)
   {
-    m_saved_kinds.emplace_back(v, m_mesh.kind(v));
+    if(v < m_number_of_vertices)
+      m_saved_kinds.emplace_back(v, m_mesh.kind(v));
     m_mesh.set_kind(v, static_cast<unsigned char>(m_mesh.kind(v) | kind));
   }
 
@@ -491,15 +497,16 @@ private:
     return {av, vb};
   }
 
-  // Adds the edge opposite to the source of h, in its face, to the suspects if the whole face is crowded. If it has
-  // only become so, all edges of its parts are suspects.
+  // Adds the edge opposite to the source of h, in its face, to the suspects if the whole face is crowded. The first
+  // time, all edges of its parts are suspects.
   void add_suspects(Halfedge_id h)
   {
-    const std::vector<Face_id>* const parts = m_parts.parts_of(m_parts.whole(face_of(h)));
+    const Face_id whole = m_parts.whole(face_of(h));
+    const std::vector<Face_id>* const parts = m_parts.parts_of(whole);
     if(parts == nullptr || parts->size() <= m_parts.few)
       return;
     m_suspects.push_back(next_halfedge(h));
-    if(parts->size() <= m_parts.few + 2) // an insertion adds at most two parts
+    if(m_crowded.insert(whole).second)
       for(const Face_id f : *parts)
         for(unsigned int k = 0; k < 3; ++k)
           m_suspects.push_back(halfedge_of(f, k));
@@ -557,6 +564,7 @@ private:
   std::vector<Renaming> m_renamed;
   std::vector<std::pair<Vertex_id, unsigned char>> m_saved_kinds;
   std::vector<Halfedge_id> m_suspects; // edges that flip_around() has to look at; a buffer
+  std::unordered_set<Face_id> m_crowded; // faces of the first mesh all of whose parts flip_around() has looked at
 };
 
 } // namespace internal

@@ -99,9 +99,9 @@ struct Source_set
 
 // Makes vertices of n sources in one face, which are in the order of their coordinates.
 //
-// If these are many, one in the middle of those that are still missing comes next: rank r follows the ranks with fewer
-// bits in the mirror image of r. So the parts of the face shrink evenly, and each insertion flips few edges. (In order
-// of coordinates, each source would be beside all others, and have long and narrow parts beyond.)
+// If these are many, one in the middle of those that are still missing comes next: rank r follows the ranks whose bits,
+// read backward, are a smaller number. So the parts of the face shrink evenly, and each insertion flips few edges. (In
+// order of coordinates, each source would be beside all others, and have long and narrow parts beyond.)
 template <typename FT>
 void insert_sources_of_face(const Located_source<FT>* sources, std::size_t n, Source_insertion<FT>& insertion,
                             std::vector<Vertex_id>& vertices)
