@@ -10,10 +10,10 @@
 
 #include <CGAL/Surface_mesh_geodesics/certify_geodesic_Voronoi_diagram.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_distances.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/mesh_invariants.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Face_parts.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Source_insertion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Source_set.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/mesh_invariants.h>
 
 #include <algorithm>
 #include <array>

@@ -9,9 +9,9 @@
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/memory_hints.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/mesh_invariants.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Source_insertion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/sources/equal_sources.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/mesh_invariants.h>
 
 #include <algorithm>
 #include <array>

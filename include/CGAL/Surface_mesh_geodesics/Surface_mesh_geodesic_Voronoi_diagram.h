@@ -793,10 +793,9 @@ public:
   }
 
   /// writes the sites at the nearest point: of all points of sites, the one that is nearest to a vertex. If sites with
-  /// different weights are there, only those with the largest weight count; weights that differ by rounding are
-  /// different. So the common end of two curves belongs to
-  /// both curves, and so do all points that are nearest to it. An edge on several curves belongs to all of them, also
-  /// if their cells are empty. Points count as the same up to rounding.
+  /// different weights are there, only those with exactly the largest weight count. So the common end of two curves
+  /// belongs to both curves, and so do all points that are nearest to it. An edge on several curves belongs to all of
+  /// them, also if their cells are empty. Points count as the same up to rounding.
   ///
   /// `nearest_site()` returns one of these sites, unless several points are equally near. Then the sites at one of
   /// these points are written; `arcs()` and `vertices()` know the others.
@@ -1024,9 +1023,9 @@ public:
 
   /// returns whether the cell, with its boundary, is a topological disk; `false` if the cell is empty, or a vertex
   /// without faces. A cell is not a disk either if it has several parts, if the mesh is pinched at a vertex in it, or
-  /// if its boundary touches itself at a point, up to rounding. Where that is possible, the function takes the time of
-  /// `cell_mesh()`: where boundaries run through vertices of the mesh or four cells meet, if the site is on a wall, and
-  /// if it is a curve whose cell has several boundaries. If there are both walls and curves, all cells take that time.
+  /// if its boundary touches itself at a point, up to rounding. The function takes the time of `cell_mesh()` if that is
+  /// possible: if boundaries run through vertices of the mesh, if four cells meet, if the site is on a wall, or if it
+  /// is a curve whose cell has several boundaries. If there are both walls and curves, all cells take that time.
   ///
   /// \param i the number of the site
   /// \pre `i < number_of_sites()`

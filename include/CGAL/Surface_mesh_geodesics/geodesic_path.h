@@ -196,8 +196,8 @@ neither point is a vertex, the point type of the mesh must be that of a kernel o
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the distance in the unit of the points, between two locations rounded to the number type of the points;
-        infinity if no path leads from one point to the other
+\return the distance in the unit of the points; infinity if no path leads from one point to the other. Between two
+        locations, it is rounded to the number type of the points.
 
 \throws Invalid_geodesic_input if the mesh or a point is one that `geodesic_distances()` rejects
 */

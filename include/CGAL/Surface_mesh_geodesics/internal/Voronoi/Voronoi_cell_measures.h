@@ -133,8 +133,6 @@ private:
     Border_integrals local;
   };
 
-  static Point difference(const Point& p, const Point& q) { return Point{p.x - q.x, p.y - q.y}; }
-
   // Returns the part of the current face in a cell; if it is new, `origin` becomes its origin. Few cells share a face,
   // so a linear search is fastest.
   Part& part(Vertex_id site, const Point& origin)

@@ -26,10 +26,10 @@
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/curves/Strip_front.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Farthest_vertex_queue.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Source_insertion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/curves/Curve_insertion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/curves/Source_curves.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Source_insertion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
 
 #include <CGAL/Named_function_parameters.h>

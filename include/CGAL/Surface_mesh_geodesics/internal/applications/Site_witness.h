@@ -49,11 +49,11 @@
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/curves/Path_run_from_curves.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Face_parts.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Location_in_part.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/curves/Source_curves.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Face_parts.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Location_in_part.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/sources/equal_sources.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Edge_window_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>

@@ -171,8 +171,6 @@ private:
     return (length - s) * (length + s) / 2;
   }
 
-  static FT cross(const Point& a, const Point& b) { return a.x * b.y - a.y * b.x; }
-
   Point point_of_segment(const FT& t) const
   {
     return {FT(m_first.x + t * (m_last.x - m_first.x)), FT(m_first.y + t * (m_last.y - m_first.y))};

@@ -44,9 +44,9 @@
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/curves/Path_run_from_curves.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Propagation_for_tag.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Source_insertion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/curves/Source_curves.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Source_insertion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Edge_window_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/strips/Curve_arrivals.h>

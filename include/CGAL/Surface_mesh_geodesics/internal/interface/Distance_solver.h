@@ -22,11 +22,11 @@
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Repeated_propagation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/curves/Curve_run.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Propagation_for_tag.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Source_insertion.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Source_set.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/curves/Curve_sides.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/curves/Source_curves.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Source_insertion.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Source_set.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
 
 #include <CGAL/assertions.h>

@@ -26,11 +26,11 @@
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/One_block.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Source_set.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/curves/Source_curves.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/curves/curves_at_walls.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Source_set.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/walls/Vertex_copies.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/walls/Wall_cut.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/walls/sources_at_walls.h>

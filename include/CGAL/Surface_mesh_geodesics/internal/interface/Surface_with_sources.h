@@ -20,11 +20,11 @@
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/paths/Departure.h>
 #include <CGAL/Surface_mesh_geodesics/internal/paths/Path_thinning.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/curves/Source_curves.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Face_parts.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Source_insertion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Source_set.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/curves/Source_curves.h>
 
 #include <CGAL/assertions.h>
 

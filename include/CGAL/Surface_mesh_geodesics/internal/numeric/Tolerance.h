@@ -74,7 +74,8 @@ struct Tolerance
 
   // Relative to 1: an edge between two parts of a face is flipped only if the sine of the sum of the angles opposite to
   // it is negative by more than flip(), and if the sines of the angles at its ends are larger than angle_of_flip().
-  // Large enough that rounding decides nothing; the ends of an edge may be far away from a cluster of sources.
+  // Large enough that rounding decides nothing. The angles may be small: the ends of an edge may be far away from a
+  // cluster of sources.
   static FT flip() { return FT(1) / 1024; }
   static FT angle_of_flip()
   {
@@ -82,13 +83,17 @@ struct Tolerance
     return sqrt(input_epsilon());
   }
 
+  // Relative to the way along two sides that the new edge is the sum of: a flip makes no shorter edge. It would lose
+  // more than six bits of its length.
+  static FT shortest_flip() { return FT(1) / 64; }
+
   // Relative to 1: if each barycentric coordinate errs by at most a quarter, the largest of the three, at least 1/3, is
   // not zero. Coordinates that err by more mean nothing.
   static FT known_coordinate() { return FT(1) / 4; }
 
-  // Relative to 1: if the coordinates of a point in a part of a face err by more, another part that has the point
-  // outside by rounding is preferred. A point would move by this much of the narrow part; a cluster of sources of 10^-9
-  // of the face has parts whose coordinates err by less.
+  // Relative to 1: if the coordinates of a point in a part of a face err by more, the point belongs to another part,
+  // which may have it outside by rounding. Coordinates err by less in a cluster of sources 10^-9 times the size of the
+  // face.
   static FT narrow_part() { return FT(1) / 1024; }
 
   // Relative to the longest side: the amount by which it may exceed the sum of the two others. Lengths that are

@@ -39,12 +39,34 @@ Planar_point<FT> point_of_triangle(const std::array<Planar_point<FT>, 3>& corner
           FT(b[0] * corner[0].y + b[1] * corner[1].y + b[2] * corner[2].y)};
 }
 
-// Are the corners of a triangle on one line, up to rounding? `longest` is its longest side. The answer does not depend
-// on the unit of length.
+// Points are vectors, too: from the origin.
+//
+// Returns the vector from q to p.
 template <typename FT>
-bool is_without_height(const FT& twice_the_area, const FT& longest)
+Planar_point<FT> difference(const Planar_point<FT>& p, const Planar_point<FT>& q)
 {
-  return twice_the_area <= Tolerance<FT>::length() * longest * longest;
+  return {FT(p.x - q.x), FT(p.y - q.y)};
+}
+
+template <typename FT>
+FT dot(const Planar_point<FT>& u, const Planar_point<FT>& v)
+{
+  return u.x * v.x + u.y * v.y;
+}
+
+// Returns the cross product, which is positive if v is on the left of u.
+template <typename FT>
+FT cross(const Planar_point<FT>& u, const Planar_point<FT>& v)
+{
+  return u.x * v.y - u.y * v.x;
+}
+
+// Is the height of a triangle over its longest side at most `ratio` times that side? For the default, the corners are
+// on one line, up to rounding. The answer does not depend on the unit of length.
+template <typename FT>
+bool is_without_height(const FT& twice_the_area, const FT& longest, const FT& ratio = Tolerance<FT>::length())
+{
+  return twice_the_area <= ratio * longest * longest;
 }
 
 // A triangle laid out in the plane. Its corners are (0,0), (base,0) and (apex_x, apex_y), where apex_y >= 0.

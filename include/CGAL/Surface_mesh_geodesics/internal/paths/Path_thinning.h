@@ -18,8 +18,8 @@
 // points before and after it lie in one face. So points that follow each other always share a face.
 
 #include <CGAL/Surface_mesh_geodesics/internal/paths/Straight_piece.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Face_parts.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Face_parts.h>
 
 #include <CGAL/assertions.h>
 

@@ -16,9 +16,9 @@
 
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Source_insertion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Source_set.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 
 #include <algorithm>
 #include <vector>

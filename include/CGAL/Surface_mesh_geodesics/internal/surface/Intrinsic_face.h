@@ -84,13 +84,12 @@ bool has_no_height(const Intrinsic_face<FT>& f)
   return is_without_height<FT>(f.apex_y * f.length[0], longest_side(f));
 }
 
-// Returns whether all paths that cross the face nearly along its longest side tie up to rounding: twice the area is at
-// most Tolerance::narrow_face() times the square of that side.
+// The same with Tolerance::narrow_face(): paths that cross the face nearly along its longest side tie, up to rounding,
+// with those through its corners.
 template <typename FT>
 bool is_narrow(const Intrinsic_face<FT>& f)
 {
-  const FT longest = longest_side(f);
-  return f.apex_y * f.length[0] <= Tolerance<FT>::narrow_face() * (longest * longest);
+  return is_without_height<FT>(f.apex_y * f.length[0], longest_side(f), Tolerance<FT>::narrow_face());
 }
 
 // Returns the dot product and the cross product of the two sides at corner k of a face. They have the direction of the

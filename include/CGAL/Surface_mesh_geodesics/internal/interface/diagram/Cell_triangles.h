@@ -150,8 +150,8 @@ private:
     return found;
   }
 
-  // Returns whether a part of a face is in a cell: then one of its arcs bounds the cell, or no arc crosses the face and
-  // all of it belongs to the site of its corners. Takes time linear in the number of arcs of the face.
+  // Returns whether a part of a face is in a cell: its first corner is, or an arc of the face bounds the cell. Takes
+  // time linear in the number of arcs of the face.
   bool is_in_cell(Face_id f, Vertex_id site) const
   {
     if(m_complex.owner(m_mesh.face(f).vertex[0]) == site)

@@ -274,13 +274,13 @@ public:
     return complex().owner(v) == v && m_solver.source_at(v) == i;
   }
 
-  // Returns which parts the cell of a site may have. Linear in the number of sites on walls; curves are not among
-  // these.
+  // Returns which parts the cell of a site may have. Linear in the number of points on walls.
   Cell_parts parts_of_cell(std::size_t i) const
   {
     const std::vector<std::size_t>& on_walls = m_solver.sources().behind_walls;
-    return has_walls() && (m_solver.has_curves() || std::find(on_walls.begin(), on_walls.end(), i) != on_walls.end())
-         ? Cell_parts::ANY : m_sites[i].curve != nullptr ? Cell_parts::WITH_ARCS : Cell_parts::ONE;
+    if(has_walls() && (m_solver.has_curves() || std::find(on_walls.begin(), on_walls.end(), i) != on_walls.end()))
+      return Cell_parts::ANY;
+    return m_sites[i].curve != nullptr ? Cell_parts::WITH_ARCS : Cell_parts::ONE;
   }
 
   // Returns the factor from lengths of the intrinsic mesh to those of the user: a power of two, 1 if there is no site.

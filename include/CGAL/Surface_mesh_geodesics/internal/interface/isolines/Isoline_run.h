@@ -32,10 +32,10 @@
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 #include <CGAL/Surface_mesh_geodesics/internal/paths/Isoline_graph.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Available_tag.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Source_insertion.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Source_set.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Source_insertion.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Source_set.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Named_function_parameters.h>

@@ -18,10 +18,10 @@
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Repeated_propagation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/curves/Strip_front.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Source_insertion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/curves/Curve_insertion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/curves/Source_curves.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Source_insertion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Edge_window_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/strips/Curve_arrivals.h>

@@ -69,12 +69,12 @@ public:
   {
     const FT sine_v = cross(bv, va), cosine_v = -dot(va, bv), sine_d = cross(ad, db), cosine_d = -dot(ad, db);
     const FT at_a = length(va) * length(ad), at_b = length(bv) * length(db), least = Tolerance<FT>::angle_of_flip();
-    return sine_v * cosine_d + cosine_v * sine_d < -Tolerance<FT>::flip() * at_a * at_b && 64 * vd_length > m_way
+    return sine_v * cosine_d + cosine_v * sine_d < -Tolerance<FT>::flip() * at_a * at_b
+        && vd_length > Tolerance<FT>::shortest_flip() * m_way
         && cross(va, ad) > least * at_a && cross(db, bv) > least * at_b;
   }
 
 private:
-  // The two layouts see the edge in different directions, so the vectors of the second face are turned.
   // The rotation that takes one direction to another one. If one of the two has no length, it turns nothing.
   struct Turn_to_first
   {
@@ -95,10 +95,7 @@ private:
     }
   };
 
-  static Vector difference(const Vector& b, const Vector& a) { return Vector{FT(b.x - a.x), FT(b.y - a.y)}; }
   static FT length(const Vector& w) { return norm(w.x, w.y); }
-  static FT cross(const Vector& u, const Vector& w) { return u.x * w.y - u.y * w.x; }
-  static FT dot(const Vector& u, const Vector& w) { return u.x * w.x + u.y * w.y; }
 
   // From v to d along two sides, the shorter way. If (v, d) is much shorter, these sides nearly cancel in their sum,
   // and its direction would not be known to enough digits.

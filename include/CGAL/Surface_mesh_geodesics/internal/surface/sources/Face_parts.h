@@ -16,8 +16,8 @@
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Location_in_part.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Location_in_part.h>
 
 #include <algorithm>
 #include <array>
@@ -167,7 +167,7 @@ public:
 private:
   // Does what find_part() does, by a walk. Returns null_id, with `local` as it was, if the walk ends where nothing is
   // known, or leaves the face by rounding, or turns in a circle. Where the point is on an edge between two parts, the
-  // one that knows its coordinates better is returned, as by find_part().
+  // one that knows its coordinates better is returned.
   Face_id walk_to_part(const Intrinsic_mesh<FT>& mesh, const std::vector<Face_id>& parts, const Barycentric<FT>& b,
                        Barycentric<FT>& local) const
   {
@@ -244,8 +244,8 @@ private:
   // Returns the part that contains b, and sets its coordinates there.
   //
   // Between points that are nearly on a line there are parts as narrow as rounding, in which almost any point may seem
-  // to be. If such a part is found, a part whose coordinates are known better may have the point outside by rounding.
-  // Then the point moves into that part.
+  // to be. If such a part is found, another part may know the coordinates better, and have the point outside by
+  // rounding only. Then the point moves to the border of that part.
   Face_id find_part(const std::vector<Face_id>& parts, const Barycentric<FT>& b, Barycentric<FT>& local) const
   {
     FT rounding;

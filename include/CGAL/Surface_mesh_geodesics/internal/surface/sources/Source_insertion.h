@@ -22,11 +22,11 @@
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Edge_flip.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Face_parts.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/mesh_invariants.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Edge_flip.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Face_parts.h>
 
 #include <CGAL/assertions.h>
 
@@ -153,8 +153,8 @@ public:
   // insertions have changed. Changes are taken back in reverse order, since a face may have been saved several times.
   // The mesh is truncated last, which removes the faces and vertices that were added: their changes are not saved.
   //
-  // Does so after insert() has thrown, too, wherever memory ended: each change is remembered before it is made. (The
-  // tables of parts may then know a face although no face has been saved.)
+  // Does so after insert() or flip_around() has thrown, too, wherever memory ended: each change is remembered before it
+  // is made. (The tables of parts may then know a face although no face has been saved.)
   void undo()
   {
     m_parts.clear();
@@ -190,8 +190,6 @@ private:
     std::array<FT, 3> length;
     std::array<Coordinates, 3> corner;
   };
-
-  static Vector difference(const Vector& b, const Vector& a) { return Vector{FT(b.x - a.x), FT(b.y - a.y)}; }
 
   static Vector negated(const Vector& a) { return Vector{FT(-a.x), FT(-a.y)}; }
 
@@ -293,8 +291,7 @@ private:
 
   // Links the kept edges of the new faces, and tells the vertices that store them. If the faces of two opposite edges
   // have both been replaced, both edges are among the kept ones. `gone` has the new names of edges that are not kept.
-  // It comes last: where two old names get one new name, undo() returns to the kept edge, as an edge of the first mesh
-  // is always kept.
+  // These come last: where two old names get one new name, undo() goes back to the first one, that of the kept edge.
   void keep_edges(const std::vector<Kept_edge>& kept, const Renaming& gone)
   {
     Renaming renaming;
@@ -515,9 +512,8 @@ private:
   // Replaces the edge h by the other diagonal. The names are those of Edge_flip. The four sides become suspects: in the
   // new faces, the angles opposite to them are others.
   //
-  // Faces are saved, and old names remembered, before they change. So undo() works wherever memory ends. The order of
-  // the names in keep_edges() matters: an edge on the border of the whole face is a part of an edge of the first mesh,
-  // and vertices of the first mesh store such edges only. They have to find them again.
+  // Vertices of the first mesh store edges on the border of the whole face only: parts of edges of the first mesh.
+  // These are kept, so undo() finds them again.
   void flip(Halfedge_id h, const Edge_flip<FT>& edge)
   {
     const Halfedge_id o = m_mesh.opposite(h);

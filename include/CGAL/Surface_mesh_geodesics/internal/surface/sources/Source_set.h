@@ -14,9 +14,9 @@
 // before the propagation starts. Sources are numbered by their positions in the range of the user, from 0.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Face_parts.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Source_insertion.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
 
 #include <CGAL/assertions.h>
 

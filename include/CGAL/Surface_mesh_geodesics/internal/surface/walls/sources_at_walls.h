@@ -14,8 +14,8 @@
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Source_set.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/sources/Source_set.h>
 
 #include <cstddef>
 
