@@ -16,7 +16,7 @@
 // for_each_site_image() serves a face that is divided; image_on_edge() turns a site image into one of an edge
 // (Edge_image), for edges of the border, which no window crosses outward.
 
-#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/edges/Edge_partition.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/edges/Edge_image.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/edges/Site_strips.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/fronts/Site_image.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>

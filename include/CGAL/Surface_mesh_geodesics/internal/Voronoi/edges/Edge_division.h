@@ -77,8 +77,8 @@ public:
   // Adds a path that arrives at a border edge through its face, as no window leaves the face there.
   void add(const Edge_image<FT>& path) { m_paths.push_back(path); }
 
-  // Divides the edge, by a partition that may have divided others. Takes time proportional to the number of images
-  // times that of intervals.
+  // Divides the edge, by a partition that may have divided others. Takes the time of Edge_partition::build(), which is
+  // nearly linear in the number of windows, as those of one side hardly overlap.
   void divide(Edge_partition<FT>& partition)
   {
     partition.start(m_length, m_first.site, m_first.distance, m_last.site, m_last.distance);

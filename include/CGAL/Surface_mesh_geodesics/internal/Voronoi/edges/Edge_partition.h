@@ -27,6 +27,8 @@
 // Error: the distances at a breakpoint are equal up to their rounding. No bound is known for its abscissa, as the two
 // distances may touch; cells narrower than Tolerance::interval() times the length are dropped.
 
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/edges/Edge_image.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/edges/Interval_sweep.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Weighted_bisector.h>
@@ -45,33 +47,6 @@
 namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
-
-// An image as an edge sees it: the distances weight + |(x - image_x, depth)| at the points x from `begin` to `end`. Of
-// an image at infinity (Additively_weighted_point), these are weight + image_x * x: image_x is the slope.
-template <typename FT>
-struct Edge_image
-{
-  FT begin, end;
-  FT image_x, depth, weight;
-  Vertex_id site;
-  bool is_at_infinity = false;
-
-  FT distance_at(const FT& x) const
-  {
-    if(is_at_infinity)
-      return (std::max)(FT(0), FT(weight + image_x * x)); // rounding may make it negative beside the curve
-    return weight + norm<FT>(x - image_x, depth);
-  }
-
-  // Returns the derivative of the distance, 0 at the image itself.
-  FT slope_at(const FT& x) const
-  {
-    if(is_at_infinity)
-      return image_x;
-    const FT n = norm<FT>(x - image_x, depth);
-    return n > 0 ? FT((x - image_x) / n) : FT(0);
-  }
-};
 
 // A breakpoint: the abscissa where the cell of `before` ends and that of `after` begins.
 template <typename FT>
@@ -131,13 +106,14 @@ public:
     return distance * Tolerance<FT>::tie() + (m_has_rays ? width() : FT(0));
   }
 
-  // Finds the intervals and breakpoints. Takes time proportional to the number of images times that of intervals, for
-  // each gap between intervals once more. In general there is none.
+  // Finds the intervals and breakpoints. Takes time O(n log n) for n images, if few of them share an abscissa; that is
+  // so for windows, as those of one side hardly overlap. Gaps between intervals take further walks, mostly one.
   void build()
   {
     const std::size_t number_given = m_images.size();
     m_bends.clear();
-    while(!walk()) // a walk that ends early has added a bend: one for each image, at most
+    m_number_of_trials = 0;
+    while(!walk()) // has added bends: one for each image, at most
     {
       m_images.resize(number_given);
       m_images.insert(m_images.end(), m_bends.begin(), m_bends.end());
@@ -155,8 +131,12 @@ public:
 
   const Image& image(std::size_t i) const { return m_images[i]; }
 
+  // Returns how often the last call of build() has asked whether an image takes over: the cost of the partition.
+  std::size_t number_of_trials() const { return m_number_of_trials; }
+
 private:
-  // Goes from the first end of the edge to the last one. Returns false if it has come to a gap (bridge_gap()).
+  // Goes from the first end of the edge to the last one. Returns false if it has met gaps: another walk is to be made
+  // with the new images of m_bends (note_gap()).
   bool walk()
   {
     m_breakpoints.clear();
@@ -164,12 +144,12 @@ private:
     m_x = 0;
     m_current = 0;
     m_left_here.clear();
-    m_has_met_gap = false;
+    m_bend_ahead = m_images.size();
+    m_sweep.start(m_images);
+    const std::size_t number_of_bends = m_bends.size();
     std::size_t steps = 8 * m_images.size() + 64; // a bound, in case rounding leads around in a circle
-    while(steps-- > 0 && take_over())
-    {
-    }
-    return !m_has_met_gap;
+    while(steps-- > 0 && take_over()) {}
+    return m_bends.size() == number_of_bends;
   }
 
   // Returns whether the intervals cover the edge without overlap, and the breakpoints ascend from site to site.
@@ -202,12 +182,14 @@ private:
   // of the edge in which the others have to be nearer. Ties do not depend on the order of the trials.
   bool take_over()
   {
+    m_sweep.advance(m_x, m_images);
     FT x = m_images[m_current].end;
     std::size_t next = m_current;
     FT next_slope = 0;
     Chord chord(m_images[m_current], m_x, x);
     const auto try_image = [&](std::size_t j)
     {
+      ++m_number_of_trials;
       FT start;
       if(!does_take_over(j, chord, start) || start > x || (start == x && next == m_current))
         return;
@@ -223,17 +205,22 @@ private:
     for(std::size_t j : {m_current - 1, m_current + 1}) // (-1 wraps around)
       if(j < m_images.size() && shares_abscissas(m_images[j]))
         try_image(j);
-    for(std::size_t j = 0; j < m_images.size(); ++j)
-      if(shares_abscissas(m_images[j]) && j + 1 != m_current && j != m_current && j != m_current + 1)
+    const auto try_other = [&](std::size_t j)
+    {
+      if(j + 1 != m_current && j != m_current && j != m_current + 1)
         try_image(j);
+    };
+    for(std::size_t j : m_sweep.open())
+      try_other(j);
+    m_sweep.for_each_ahead(chord.last, try_other);
     if(next == m_current)
     {
       if(!(x < m_length))
         return false;
       next = successor(x);
     }
-    else if(bridge_gap(next, x))
-      return false;
+    else
+      note_gap(next, x);
     if(m_x < x)
     {
       m_intervals.push_back(Edge_interval<FT>{m_x, x, m_current});
@@ -367,7 +354,7 @@ private:
   {
     if(!(from > first) && !(g.distance_at(from) > c.distance_at(from)))
       return from;
-    const FT equal = polished(g, c, from), start = equal >= first && equal <= last ? equal : from;
+    const FT equal = polished_abscissa(g, c, from), start = equal >= first && equal <= last ? equal : from;
     return does_touch(g, c, first, start) ? first : start;
   }
 
@@ -397,23 +384,6 @@ private:
     return std::none_of(places.begin(), places.end(), is_before) && (is_last_ray || !is_before(from - m_length));
   }
 
-  // Returns the abscissa where the distances by two images have the same slope, or `otherwise` if there is none, or
-  // more than one. Seen from there, both images are in the same direction.
-  static FT equal_slopes(const Image& g, const Image& c, const FT& otherwise)
-  {
-    using std::sqrt;
-    if(g.is_at_infinity && c.is_at_infinity)
-      return otherwise;
-    if(c.is_at_infinity)
-      return equal_slopes(c, g, otherwise);
-    if(g.is_at_infinity)
-    {
-      const FT square = (1 - g.image_x) * (1 + g.image_x);
-      return square > 0 ? FT(c.image_x + c.depth * (g.image_x / sqrt(square))) : otherwise;
-    }
-    return g.depth != c.depth ? FT((g.image_x * c.depth - c.image_x * g.depth) / (c.depth - g.depth)) : otherwise;
-  }
-
   // Returns the abscissa where g becomes nearer than c, by bisection; `from` if c is not nearer there.
   // Requires: from <= to; g is nearer at `to`.
   static FT equidistant_abscissa(const Image& g, const Image& c, FT from, FT to)
@@ -430,82 +400,6 @@ private:
     return to;
   }
 
-  // Returns the abscissas where the distances of two images are equal, in ascending order, infinity in place of those
-  // that do not exist. A root may be one of the squared equation only; it divides the edge once more, which does no
-  // harm.
-  //
-  // With y measured from the image of c, and s the weight of c minus that of g, the equation is
-  // |(y - d, depth of g)| = |(y, depth of c)| + s. Squared, it becomes a y + b = s |(y, depth of c)|; squared again,
-  // qa y^2 + 2 qb y + qc = 0.
-  static std::array<FT, 2> equal_points(const Image& g, const Image& c)
-  {
-    using std::sqrt;
-    if(g.is_at_infinity || c.is_at_infinity)
-      return g.is_at_infinity ? equal_points_with_rays(g, c) : equal_points_with_rays(c, g);
-    const FT s = c.weight - g.weight, d = g.image_x - c.image_x;
-    const FT a = -d;
-    const FT b = ((d - s) * (d + s) + (g.depth - c.depth) * (g.depth + c.depth)) / 2;
-    const FT qa = (a - s) * (a + s), qb = a * b, qc = (b - s * c.depth) * (b + s * c.depth);
-    const FT square = b * b + qa * c.depth * c.depth;
-    const FT root = square > 0 ? FT(sqrt(square) * (s < 0 ? FT(-s) : s)) : FT(0);
-    return roots(qa, qb, qc, root, c.image_x);
-  }
-
-  // The same for an image l at infinity and any image c. With y measured from the image of c, a the slope, and s the
-  // distance by l there less the weight of c, the equation is |(y, depth of c)| = s + a y, squared
-  // (1 - a^2) y^2 - 2 a s y + (depth of c)^2 - s^2 = 0. Both distances are linear if c is at infinity, too.
-  static std::array<FT, 2> equal_points_with_rays(const Image& l, const Image& c)
-  {
-    using std::sqrt;
-    const FT infinity = std::numeric_limits<FT>::infinity(), a = l.image_x;
-    if(c.is_at_infinity)
-      return {a != c.image_x ? FT((c.weight - l.weight) / (a - c.image_x)) : infinity, infinity};
-    const FT s = l.weight + a * c.image_x - c.weight;
-    const FT qa = (1 - a) * (1 + a), qb = -a * s, qc = (c.depth - s) * (c.depth + s);
-    const FT square = s * s - qa * c.depth * c.depth;
-    const FT root = square > 0 ? FT(sqrt(square)) : FT(0);
-    return roots(qa, qb, qc, root, c.image_x);
-  }
-
-  // Returns the roots of qa y^2 + 2 qb y + qc, as abscissas: y counts from x. `root` is that of the discriminant.
-  static std::array<FT, 2> roots(const FT& qa, const FT& qb, const FT& qc, const FT& root, const FT& x)
-  {
-    const FT infinity = std::numeric_limits<FT>::infinity();
-    std::array<FT, 2> r{infinity, infinity};
-    const FT q = -(qb + (qb < 0 ? FT(-root) : root));
-    if(qa != 0)
-      r[0] = x + q / qa;
-    if(q != 0)
-      r[1] = x + qc / q;
-    if(r[1] < r[0])
-      std::swap(r[0], r[1]);
-    return r;
-  }
-
-  // Returns the abscissa within an interval at which the distance by an image is smallest.
-  static FT foot_of(const Image& g, const FT& first, const FT& last)
-  {
-    if(g.is_at_infinity)
-      return g.image_x > 0 ? first : last;
-    return (std::min)((std::max)(g.image_x, first), last);
-  }
-
-  // Improves an abscissa x where two distances are equal by at most two steps of Newton's method. Returns the last one
-  // that made their difference smaller.
-  static FT polished(const Image& g, const Image& c, FT x)
-  {
-    using std::abs;
-    for(int i = 0; i < 2; ++i)
-    {
-      const FT slope = g.slope_at(x) - c.slope_at(x), f = g.distance_at(x) - c.distance_at(x);
-      const FT next = slope != 0 ? FT(x - f / slope) : x;
-      if(!(abs(g.distance_at(next) - c.distance_at(next)) < abs(f)))
-        return x;
-      x = next;
-    }
-    return x;
-  }
-
   // Returns the image that follows where the current one ends: the nearest one there, the lowest index in a tie.
   // Rounding may leave a gap between intervals. Paths through the gap bend at the end of the interval; an image is
   // added for them.
@@ -515,34 +409,51 @@ private:
     std::size_t best = m_images.size();
     FT best_distance = c.distance_at(x);
     best_distance = best_distance + Tolerance<FT>::succession() * best_distance + rounding_of_rays();
-    for(std::size_t j = 0; j < m_images.size(); ++j)
-      if(j != m_current && m_images[j].begin <= x && x < m_images[j].end
-         && m_images[j].distance_at(x) < best_distance)
+    m_sweep.advance(x, m_images);
+    for(std::size_t j : m_sweep.open())
+    {
+      const FT d = m_images[j].distance_at(x);
+      if(j != m_current && (d < best_distance || (d == best_distance && j < best && best < m_images.size())))
       {
         best = j;
-        best_distance = m_images[j].distance_at(x);
+        best_distance = d;
       }
+    }
     if(best == m_images.size())
-      m_images.push_back(Image{x, m_length, x, FT(0), c.distance_at(x), c.site});
+      add_bend_ahead(Image{x, m_length, x, FT(0), c.distance_at(x), c.site});
     return best;
   }
 
+  // Adds paths that bend at their begin and lead ahead. They end the ones before, unless those are nearer there: then
+  // these are so from there on, as all lead along the edge.
+  void add_bend_ahead(const Image& bend)
+  {
+    if(m_bend_ahead < m_images.size() && !(m_images[m_bend_ahead].distance_at(bend.begin) < bend.weight))
+      m_images[m_bend_ahead].end = bend.begin;
+    m_bend_ahead = m_images.size();
+    m_sweep.add_open(m_bend_ahead);
+    m_images.push_back(bend);
+  }
+
   // If image j takes over at x, where its interval begins, and is nearer by a jump, there is a gap before the interval:
-  // distances do not jump. Paths to the gap bend at x; notes an image for them, for another walk. successor() does the
-  // same for gaps behind an interval, which the walk meets in time. Returns whether there is a gap that is not known
-  // yet. (Where rounding keeps a known one from taking over, the walk goes on as if there were none.)
-  bool bridge_gap(std::size_t j, const FT& x)
+  // distances do not jump. Paths to the gap bend at x; notes an image for them, for another walk, unless it is known.
+  // This walk goes on as if there were no gap: the image does not reach behind x. (It also does where rounding keeps a
+  // known image from taking over.) successor() closes gaps behind an interval, which the walk meets in time.
+  void note_gap(std::size_t j, const FT& x)
   {
     const Image& g = m_images[j];
     if(!(x > 0) || x != g.begin)
-      return false;
+      return;
     const FT at_x = g.distance_at(x);
     const auto is_known = [&](const Image& bend) { return bend.end == x && !(at_x < bend.weight); };
-    m_has_met_gap = at_x + rounding_of_rays() < m_images[m_current].distance_at(x) * (1 - Tolerance<FT>::tie())
-                 && std::none_of(m_bends.begin(), m_bends.end(), is_known);
-    if(m_has_met_gap)
-      m_bends.push_back(Image{FT(0), x, x, FT(0), at_x, g.site});
-    return m_has_met_gap;
+    const bool is_gap = at_x + rounding_of_rays() < m_images[m_current].distance_at(x) * (1 - Tolerance<FT>::tie());
+    if(!is_gap || std::any_of(m_bends.begin(), m_bends.end(), is_known))
+      return;
+    FT begin = 0; // paths that bend farther ahead and are nearer there are so all the way, along the edge
+    for(const Image& bend : m_bends)
+      if(bend.end < x && !(at_x + (x - bend.end) < bend.weight))
+        begin = (std::max)(begin, bend.end);
+    m_bends.push_back(Image{begin, x, x, FT(0), at_x, g.site});
   }
 
   // Notes that the cell of another site begins at x. A cell without width is dropped: the new site takes its place in
@@ -572,7 +483,9 @@ private:
   std::size_t m_current = 0; // the image that is nearest from there on
   std::vector<std::size_t> m_left_here; // the images that have been left at m_x
   std::vector<Image> m_bends; // at the begins of intervals behind gaps
-  bool m_has_met_gap = false; // by this walk
+  std::size_t m_bend_ahead = 0; // the last image that leads ahead from the end of an interval; none if there is no such
+  std::size_t m_number_of_trials = 0;
+  Interval_sweep<FT> m_sweep; // over m_images, up to m_x or the end of the current interval
 };
 
 } // namespace internal

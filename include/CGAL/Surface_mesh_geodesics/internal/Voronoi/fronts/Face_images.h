@@ -115,7 +115,8 @@ public:
     for(std::size_t i = 0; i < m_images.size(); ++i)
     {
       const Image& image = m_images[i];
-      if(image.site != site)
+      // No path by an image is shorter than the straight one.
+      if(image.site != site || image.point.distance_to(p) > best_distance + margin_of_tie(best_distance))
         continue;
       const bool sees = image.sees(p, width());
       const FT d = sees ? image.point.distance_to(p) : image.distance_to(p);
