@@ -10,11 +10,18 @@ namespace geodesics_demo {
 
 namespace {
 
-double length_between(const Point& a, const Point& b) { return std::sqrt(CGAL::squared_distance(a, b)); }
+double length_between(const Point& a, const Point& b)
+{
+  const double square = CGAL::squared_distance(a, b);
+  // (The square of a very large or small length is not a number to take a root of; std::hypot() takes longer.)
+  return square > 1e-280 && square < 1e300 ? std::sqrt(square)
+                                           : std::hypot(a.x() - b.x(), a.y() - b.y(), a.z() - b.z());
+}
 
 // Dijkstra's algorithm with buckets: a vertex whose distance shrinks goes into the bucket of its new distance, and a
 // bucket is done again as long as it gets vertices. Bucket i of a ring is for distances from i times the width on. An
-// edge that is longer than the ring leads to the last bucket of the ring, and its vertex waits there once more.
+// edge that is longer than the ring leads to the last bucket of the ring, and its vertex waits there once more. Where
+// all vertices of the ring wait, the next bucket is that of the nearest one, as edges may be longer by any factor.
 class Distances_along_edges
 {
 public:
@@ -47,15 +54,21 @@ public:
 
   double largest()
   {
+    std::size_t number_without_vertices = 0; // of the last buckets
     for(std::size_t i = 0; m_number_of_waiting > 0; ++i)
+    {
+      if(number_without_vertices++ == number_of_buckets)
+        i = go_to_nearest_bucket();
       for(std::vector<Vertex>& bucket = m_bucket[i % number_of_buckets]; !bucket.empty();)
       {
         m_reached = i;
         const std::vector<Vertex> vertices = std::exchange(bucket, {});
         m_number_of_waiting -= vertices.size();
         for(const Vertex v : vertices)
-          leave(v, i);
+          if(leave(v, i))
+            number_without_vertices = 0;
       }
+    }
     double result = 0;
     for(const double d : m_distance)
       result = std::isfinite(d) ? (std::max)(result, d) : result;
@@ -68,14 +81,14 @@ private:
   // Of some edges; 1 if they have no length.
   double mean_length() const
   {
-    double sum = 0, n = 0;
+    double mean = 0, n = 0; // (a sum might be infinite)
     const std::size_t step = m_mesh.number_of_edges() / 1000 + 1;
-    for(std::size_t i = 0; i < m_mesh.number_of_edges(); i += step, ++n)
+    for(std::size_t i = 0; i < m_mesh.number_of_edges(); i += step)
     {
       const Mesh::Edge_index e(static_cast<Mesh::size_type>(i));
-      sum += length_between(m_mesh.point(m_mesh.vertex(e, 0)), m_mesh.point(m_mesh.vertex(e, 1)));
+      mean += (length_between(m_mesh.point(m_mesh.vertex(e, 0)), m_mesh.point(m_mesh.vertex(e, 1))) - mean) / ++n;
     }
-    return sum > 0 && std::isfinite(sum) ? sum / n : 1;
+    return mean > 0 ? mean : 1;
   }
 
   bool is_open(Mesh::Halfedge_index h) const
@@ -91,25 +104,53 @@ private:
     push(v);
   }
 
-  // Into the bucket of its distance, or the last one before the ring is closed.
+  // The number of the bucket of a vertex. The last bucket is for all distances from its number on, in any order.
+  std::size_t bucket_of(Vertex v) const
+  {
+    return static_cast<std::size_t>((std::min)(m_distance[v.idx()] / m_width, 0x1p52));
+  }
+
+  // Into its bucket, or the last one before the ring is closed.
   void push(Vertex v)
   {
-    const double last = static_cast<double>(m_reached + number_of_buckets - 1), i = m_distance[v.idx()] / m_width;
-    m_bucket[static_cast<std::size_t>((std::min)(i, last)) % number_of_buckets].push_back(v);
+    m_bucket[(std::min)(bucket_of(v), m_reached + number_of_buckets - 1) % number_of_buckets].push_back(v);
     ++m_number_of_waiting;
   }
 
-  // A vertex that came nearer since has left an earlier bucket; one that waits for a later one is put back.
-  void leave(Vertex v, std::size_t i)
+  // Closes the ring at the smallest bucket of the vertices that wait, and returns its number. Requires: there are such
+  // vertices, and none has left a bucket since the ring was closed for the last time: all wait for later buckets.
+  std::size_t go_to_nearest_bucket()
   {
+    std::vector<Vertex> vertices;
+    for(std::vector<Vertex>& bucket : m_bucket)
+    {
+      vertices.insert(vertices.end(), bucket.begin(), bucket.end());
+      bucket.clear();
+    }
+    m_number_of_waiting = 0;
+    m_reached = (std::numeric_limits<std::size_t>::max)();
+    for(const Vertex v : vertices)
+      m_reached = (std::min)(m_reached, bucket_of(v));
+    for(const Vertex v : vertices)
+      push(v);
+    return m_reached;
+  }
+
+  // A vertex that came nearer since has left an earlier bucket; one that waits for a later one is put back. Returns
+  // whether v leaves bucket i now.
+  bool leave(Vertex v, std::size_t i)
+  {
+    if(bucket_of(v) > i)
+      push(v);
+    if(bucket_of(v) != i)
+      return false;
     const double d = m_distance[v.idx()];
-    if(d / m_width >= static_cast<double>(i + 1))
-      return push(v);
-    if(d / m_width < static_cast<double>(i) || m_mesh.is_isolated(v))
-      return;
+    if(m_mesh.is_isolated(v))
+      return true;
     for(const Mesh::Halfedge_index h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
       if(is_open(h) || is_open(m_mesh.opposite(h)))
         improve(m_mesh.source(h), d + length_between(m_mesh.point(v), m_mesh.point(m_mesh.source(h))));
+    return true;
   }
 
   const Mesh& m_mesh;

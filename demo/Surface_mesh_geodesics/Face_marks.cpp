@@ -18,20 +18,24 @@ namespace {
 namespace Processing = CGAL::Polygon_mesh_processing;
 
 using Marks = Mesh::Property_map<Face, char>;
+using Faces_of_file = Mesh::Property_map<Face, Polygon_soup::Index>;
 
 const char* const name_of_marks = "f:marked";
+const char* const name_of_faces_of_file = "f:face_of_file"; // of meshes whose faces were cut
 
-// Tells the triangles of a face its mark. CGAL copies its visitors, so this one keeps the mark elsewhere.
-struct Marking_visitor
+// Tells the triangles of a face its index in the file. CGAL copies its visitors, so this one keeps the index elsewhere.
+struct Numbering_visitor
   : public Processing::Triangulate_faces::Default_visitor<Mesh>
 {
-  Marking_visitor(const Marks& all_marks, char& mark_of_whole) : marks(all_marks), mark(&mark_of_whole) {}
+  Numbering_visitor(const Faces_of_file& faces, Polygon_soup::Index& face_of_whole)
+    : faces_of_file(faces), face(&face_of_whole)
+  {}
 
-  void before_subface_creations(Face f) { *mark = marks[f]; }
-  void after_subface_created(Face f) { marks[f] = *mark; }
+  void before_subface_creations(Face f) { *face = faces_of_file[f]; }
+  void after_subface_created(Face f) { faces_of_file[f] = *face; }
 
-  Marks marks;
-  char* mark;
+  Faces_of_file faces_of_file;
+  Polygon_soup::Index* face;
 };
 
 // The files must have the same faces, in the same order: a mark that moves to another face would be a silent error.
@@ -102,11 +106,43 @@ void give_marks(const Polygon_soup& soup, Mesh& mesh)
 
 bool cut_into_triangles(Mesh& mesh)
 {
+  const Faces_of_file faces = mesh.add_property_map<Face, Polygon_soup::Index>(name_of_faces_of_file, 0).first;
+  for(const Face f : mesh.faces())
+    faces[f] = f;
   const std::pair<Marks, bool> marks = mesh.property_map<Face, char>(name_of_marks);
-  if(!marks.second)
-    return Processing::triangulate_faces(mesh);
-  char mark = 0;
-  return Processing::triangulate_faces(mesh, CGAL::parameters::visitor(Marking_visitor(marks.first, mark)));
+  std::vector<char> marks_of_file;
+  if(marks.second)
+    for(const Face f : mesh.faces())
+      marks_of_file.push_back(marks.first[f]);
+  Polygon_soup::Index face = 0;
+  if(!Processing::triangulate_faces(mesh, CGAL::parameters::visitor(Numbering_visitor(faces, face))))
+    return false;
+  if(marks.second)
+    for(const Face f : mesh.faces())
+      marks.first[f] = marks_of_file[faces[f]];
+  return true;
+}
+
+std::size_t number_of_faces_of_file(const Mesh& mesh)
+{
+  const std::pair<Faces_of_file, bool> faces = mesh.property_map<Face, Polygon_soup::Index>(name_of_faces_of_file);
+  std::size_t n = faces.second ? 0 : mesh.number_of_faces();
+  if(faces.second)
+    for(const Face f : mesh.faces())
+      n = (std::max)(n, std::size_t(faces.first[f]) + 1);
+  return n;
+}
+
+std::vector<Face> faces_of_mesh(const Mesh& mesh, const std::vector<std::size_t>& faces_of_file)
+{
+  const std::pair<Faces_of_file, bool> faces = mesh.property_map<Face, Polygon_soup::Index>(name_of_faces_of_file);
+  std::vector<char> is_listed(number_of_faces_of_file(mesh), 0);
+  for(const std::size_t f : faces_of_file)
+    is_listed[f] = 1;
+  std::vector<Face> result;
+  std::copy_if(mesh.faces().begin(), mesh.faces().end(), std::back_inserter(result),
+               [&](Face f) { return is_listed[faces.second ? faces.first[f] : Polygon_soup::Index(f)] != 0; });
+  return result;
 }
 
 std::vector<Face> marked_faces(const Mesh& mesh)

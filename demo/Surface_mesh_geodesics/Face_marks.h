@@ -6,11 +6,14 @@
 #include "Polygon_soup.h"
 #include "Program_mesh.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace geodesics_demo {
 
-// Faces that are marked by a property of a PLY file, the one that --avoid-property names: those where it is not 0. The
+// Faces of a file, and what became of them: triangles of the mesh, if they were cut.
+//
+// Faces may be marked by a property of a PLY file, the one that --avoid-property names: those where it is not 0. The
 // marks follow their faces from the file to the mesh, wherever a face is left out or cut into triangles on the way.
 
 // Declares the option --avoid-property.
@@ -30,6 +33,13 @@ void give_marks(const Polygon_soup& soup, Mesh& mesh);
 
 // Cuts all faces into triangles, which get the marks of their faces. Returns whether CGAL could do it.
 bool cut_into_triangles(Mesh& mesh);
+
+// How many faces the mesh had before they were cut.
+std::size_t number_of_faces_of_file(const Mesh& mesh);
+
+// The triangles of faces, given by their indices before they were cut; in ascending order.
+// Requires: an index is less than number_of_faces_of_file().
+std::vector<Face> faces_of_mesh(const Mesh& mesh, const std::vector<std::size_t>& faces_of_file);
 
 // The marked faces, in ascending order.
 std::vector<Face> marked_faces(const Mesh& mesh);

@@ -53,6 +53,8 @@ std::ifstream opened_text_file(const std::string& file_name)
   std::ifstream is(file_name);
   if(!is)
     reject_file(file_name, "cannot be opened");
+  if(is.peek() == 0xef) // no number and no name begins so: a mark of byte order, of three bytes
+    is.ignore(3);
   return is;
 }
 
@@ -67,6 +69,15 @@ void check_inputs_are_kept(const Arguments& arguments)
         throw Command_error(Exit_code::BAD_USAGE,
                             output + ": this command reads the file; give the output another name");
     }
+}
+
+void check_outputs_differ(const Arguments& arguments)
+{
+  for(const std::string& lines : all_values(arguments, "lines"))
+    for(const char* const option : {"output", "html"})
+      for(const std::string& name : all_values(arguments, option))
+        if(name == lines)
+          throw Command_error(Exit_code::BAD_USAGE, name + ": --lines and --" + option + " name the same file");
 }
 
 } // namespace geodesics_demo

@@ -18,6 +18,9 @@ std::ifstream opened_text_file(const std::string& file_name);
 // Throws a Command_error if an output file is also an input file, which would be overwritten.
 void check_inputs_are_kept(const Arguments& arguments);
 
+// Throws if --lines names a file that another option names for another result.
+void check_outputs_differ(const Arguments& arguments);
+
 } // namespace geodesics_demo
 
 #endif // SURFACE_MESH_GEODESICS_DEMO_INPUT_FILE_H

@@ -12,18 +12,9 @@ namespace geodesics_demo {
 
 namespace {
 
-std::string without_blanks(const std::string& text)
-{
-  static const char* const blanks = " \t\r";
-  const std::size_t first = text.find_first_not_of(blanks);
-  return first == std::string::npos ? std::string() : text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
 std::vector<std::string> cells_of(const std::string& line)
 {
-  std::vector<std::string> cells = split(line, line.find(';') != std::string::npos ? ';' : ',');
-  std::transform(cells.begin(), cells.end(), cells.begin(), without_blanks);
-  return cells;
+  return cells_of_row(line, line.find(';') != std::string::npos ? ';' : ',');
 }
 
 // Is the text a name, and not a number such as 1e5, nan or inf?
@@ -37,8 +28,6 @@ bool is_name(const std::string& text)
 std::vector<std::string> Location_table::words_of(const std::string& line, const std::string& where)
 {
   std::string text = without_blanks(line.substr(0, line.find('#')));
-  if(m_is_first && text.substr(0, 3) == "\xef\xbb\xbf") // a mark of byte order
-    text.erase(0, 3);
   if(text.empty())
     return {};
   if(m_is_first && read_names(text, where))

@@ -25,7 +25,7 @@ Polygon_soup read_PLY(const std::string& file_name, std::string_view bytes, cons
 // STL, text or binary. Corners with equal coordinates are one vertex.
 Polygon_soup read_STL(const std::string& file_name, std::string_view bytes);
 
-// TS of GOCAD, by CGAL's reader.
+// TS of GOCAD: the triangles of all its objects.
 Polygon_soup read_TS(const std::string& file_name, std::string_view bytes);
 
 } // namespace geodesics_demo

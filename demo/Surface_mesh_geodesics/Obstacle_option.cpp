@@ -96,12 +96,15 @@ std::vector<Face> avoided_faces(const Arguments& arguments, const Mesh& mesh)
   if(!has(arguments, "avoid") || has_file_of_marks(arguments))
     return faces;
   const std::string& file_name = arguments["avoid"].as<std::string>();
+  const std::size_t end = number_of_faces_of_file(mesh);
+  std::vector<std::size_t> listed;
   for_each_line(file_name, [&](const std::vector<std::string>& words, std::size_t number)
   {
     for(const std::string& word : words)
-      faces.push_back(Face(static_cast<Mesh::size_type>(
-        index_of(word, mesh.number_of_faces(), "face", counted_faces(mesh.number_of_faces()), file_name, number))));
+      listed.push_back(index_of(word, end, "face", counted_faces(end), file_name, number));
   });
+  const std::vector<Face> triangles = faces_of_mesh(mesh, listed);
+  faces.insert(faces.end(), triangles.begin(), triangles.end());
   return faces;
 }
 

@@ -84,7 +84,8 @@ private:
     }
   }
 
-  // Counting sort: the corners of vertex v are m_corners[m_first[v]], ..., in the order of the file.
+  // Counting sort: the corners of vertex v are m_corners[m_first[v]], ..., in the order of their targets, then in that
+  // of the file.
   void sort_by_source()
   {
     m_first.assign(m_soup.points.size() + 1, 0);
@@ -96,15 +97,28 @@ private:
     std::vector<Index> next(m_first.begin(), m_first.end() - 1);
     for(std::size_t c = 0; c < m_soup.corners.size(); ++c)
       m_corners[next[m_soup.corners[c]]++] = static_cast<Index>(c);
+    for(std::size_t v = 0; v < m_soup.points.size(); ++v)
+      std::sort(m_corners.begin() + m_first[v], m_corners.begin() + m_first[v + 1], [&](Index a, Index b)
+      { return m_target[a] != m_target[b] ? m_target[a] < m_target[b] : a < b; });
   }
+
+  // The first of m_corners that leads from u to v or to a vertex behind it. Binary search, since u may be the tip of a
+  // fan with thousands of faces.
+  Index first_between(Index u, Index v) const
+  {
+    const auto begin = m_corners.begin();
+    return static_cast<Index>(std::lower_bound(begin + m_first[u], begin + m_first[u + 1], v, [&](Index c, Index target)
+                                               { return m_target[c] < target; }) - begin);
+  }
+
+  bool is_between(Index i, Index u, Index v) const { return i < m_first[u + 1] && m_target[m_corners[i]] == v; }
 
   // The corners that lead from u to v.
   std::vector<Index> corners_between(Index u, Index v) const
   {
     std::vector<Index> result;
-    for(Index i = m_first[u]; i < m_first[u + 1]; ++i)
-      if(m_target[m_corners[i]] == v)
-        result.push_back(m_corners[i]);
+    for(Index i = first_between(u, v); is_between(i, u, v); ++i)
+      result.push_back(m_corners[i]);
     return result;
   }
 
@@ -115,15 +129,13 @@ private:
     for(std::size_t c = 0; c < m_soup.corners.size(); ++c)
     {
       const Index u = m_soup.corners[c], v = m_target[c];
-      for(Index i = m_first[u]; i < m_first[u + 1]; ++i)
-        if(m_target[m_corners[i]] == v && m_corners[i] != c)
-          reject_edge(u, v);
+      if(is_between(first_between(u, v) + 1, u, v))
+        reject_edge(u, v);
       if(m_halfedge[c] != none)
         continue;
       m_halfedge[c] = 2 * m_number_of_edges;
-      for(Index i = m_first[v]; i < m_first[v + 1]; ++i)
-        if(m_target[m_corners[i]] == u)
-          m_halfedge[m_corners[i]] = 2 * m_number_of_edges + 1;
+      for(Index i = first_between(v, u); is_between(i, v, u); ++i)
+        m_halfedge[m_corners[i]] = 2 * m_number_of_edges + 1;
       ++m_number_of_edges;
     }
   }

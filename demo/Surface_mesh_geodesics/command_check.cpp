@@ -65,7 +65,7 @@ public:
     read_names(line);
     for(m_line = 2; std::getline(is, line); ++m_line)
       if(!without_blanks(line).empty())
-        read_distance(row_of(line));
+        read_distance(cells_of_row(line, ','));
     const auto missing = std::find(m_is_known.begin(), m_is_known.end(), false);
     if(missing != m_is_known.end())
       throw Command_error(Exit_code::BAD_INPUT, file_name + ": there is no distance for vertex "
@@ -75,22 +75,6 @@ public:
   const std::vector<double>& distances() const { return m_distance; }
 
 private:
-  // Strips blanks from both ends, and the carriage return of lines from Windows.
-  static std::string without_blanks(const std::string& text)
-  {
-    static const char* const blanks = " \t\r";
-    const std::size_t first = text.find_first_not_of(blanks);
-    return first == std::string::npos ? std::string()
-                                      : text.substr(first, text.find_last_not_of(blanks) - first + 1);
-  }
-
-  static std::vector<std::string> row_of(const std::string& line)
-  {
-    std::vector<std::string> row = split(line, ',');
-    std::transform(row.begin(), row.end(), row.begin(), without_blanks);
-    return row;
-  }
-
   [[noreturn]] void complain(const std::string& what) const
   {
     throw Command_error(Exit_code::BAD_INPUT, m_file_name + ", line " + std::to_string(m_line) + ": " + what);
@@ -98,7 +82,7 @@ private:
 
   void read_names(const std::string& line)
   {
-    const std::vector<std::string> names = row_of(line);
+    const std::vector<std::string> names = cells_of_row(line, ',');
     for(const auto& [name, column] : {std::make_pair("vertex", &m_vertex_column),
                                       std::make_pair("distance", &m_distance_column)})
     {

@@ -137,6 +137,7 @@ void run(const Command& command, const std::vector<std::string>& words)
   if(needs_mesh && !has(arguments, "mesh"))
     throw Command_error(Exit_code::BAD_USAGE, "no mesh is given");
   check_inputs_are_kept(arguments);
+  check_outputs_differ(arguments);
   const Console console(has(arguments, "quiet"));
   const auto start = std::chrono::steady_clock::now();
   if(is_seed_unused(arguments))

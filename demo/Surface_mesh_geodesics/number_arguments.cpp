@@ -58,6 +58,25 @@ std::vector<std::string> split(const std::string& text, char separator)
   return parts;
 }
 
+std::string without_blanks(const std::string& text)
+{
+  static const char* const blanks = " \t\r";
+  const std::size_t first = text.find_first_not_of(blanks);
+  return first == std::string::npos ? std::string() : text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+std::vector<std::string> cells_of_row(const std::string& line, char separator)
+{
+  std::vector<std::string> cells = split(line, separator);
+  for(std::string& cell : cells)
+  {
+    cell = without_blanks(cell);
+    if(cell.size() >= 2 && cell.front() == '"' && cell.back() == '"')
+      cell = cell.substr(1, cell.size() - 2);
+  }
+  return cells;
+}
+
 bool ends_with(const std::string& text, const std::string& ending)
 {
   return text.size() >= ending.size() && text.compare(text.size() - ending.size(), ending.size(), ending) == 0;

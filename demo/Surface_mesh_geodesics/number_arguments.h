@@ -16,6 +16,12 @@ bool parse_number(const std::string& text, double& value);
 
 // The parts of `text` between the separators.
 std::vector<std::string> split(const std::string& text, char separator);
+
+// Without blanks and carriage returns (lines of Windows) at both ends.
+std::string without_blanks(const std::string& text);
+
+// The cells of a row of a table, without blanks and without quotes around them.
+std::vector<std::string> cells_of_row(const std::string& line, char separator);
 bool ends_with(const std::string& text, const std::string& ending);
 
 // Declarations of options with numbers. Values are checked when the command line is parsed, before any work begins: a

@@ -28,6 +28,19 @@ is_near "$(column cells.csv area | awk '{ s += $1 } END { printf "%.17g", s }')"
 is_silent voronoi "$grid" --site 0 --avoid middle.txt --vertices -o labels.csv
 is_near "$(column labels.csv distance | line /dev/stdin 16)" "$around"
 
+# An index counts the faces of the file, and stands for all triangles of a face that is cut.
+printf 'OFF\n6 2 0\n0 0 0\n1 0 0\n2 0 0\n0 1 0\n1 1 0\n2 1 0\n4 0 1 4 3\n4 1 2 5 4\n' > quads.off
+echo 1 > right.txt
+"$program" distances quads.off --source 3 --avoid right.txt > quads.csv 2> note
+equals "$(column quads.csv distance | line /dev/stdin 3)" inf
+equals "$(column quads.csv distance | line /dev/stdin 6)" inf
+is_near "$(column quads.csv distance | line /dev/stdin 2)" 1.4142135623730951
+echo 2 > beyond.txt
+rejects 3 "beyond.txt, line 1: there is no face 2, but 2 faces, counted from 0" \
+  distances quads.off --source 3 --avoid beyond.txt --quiet
+printf '\xef\xbb\xbf1\r\n' > mark.txt # as Windows writes it
+"$program" distances quads.off --source 3 --avoid mark.txt 2> note | cmp - quads.csv
+
 # A stored matrix names the faces, so it can be verified without the file, and continued only with it.
 "$program" matrix "$grid" --quiet --source all --avoid middle.txt --store stored > status.csv
 equals "$(column status.csv rows_done)" 16

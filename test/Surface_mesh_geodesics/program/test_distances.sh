@@ -83,6 +83,21 @@ contains l.vtu "NumberOfPoints=\"$number_of_points\" NumberOfCells=\"2\""
 is_silent distances "$grid" --source 0 --isolines 3 --lines three.vtk > out
 contains three.vtk "LINES 2 " # at 0.5 and 1: "about 3"
 [ ! -s out ]
+# The distances of isolines are chosen in little time, also beside a face that is longer than all others by far.
+awk 'BEGIN { n = 20; print "OFF"; print n * n + 1, 2 * (n - 1) * (n - 1) + 1, 0
+  for(i = 0; i < n * n; ++i) printf "%.17g %.17g 0\n", 1e-12 * (i % n), 1e-12 * int(i / n)
+  print "1 -1 0"
+  for(j = 0; j + 1 < n; ++j) for(i = 0; i + 1 < n; ++i) {
+    a = j * n + i; print 3, a, a + 1, a + n + 1; print 3, a, a + n + 1, a + n }
+  print 3, 1, 0, n * n }' > long_face.off
+is_silent distances long_face.off --source 399 --isolines 6 --lines long_face.vtk
+contains long_face.vtk "LINES 7 " # at 0.2, 0.4, ..., 1.4
+rejects 2 "same.ply: --lines and --output name the same file" distances "$grid" --source 0 --lines same.ply -o same.ply
+for scale in 1e200 1e-200; do # lengths whose squares are not numbers
+  awk -v s=$scale 'NR > 2 && NF == 3 { $1 *= s; $2 *= s; $3 *= s } { print }' OFMT=%.17g CONVFMT=%.17g "$grid" > extreme.off
+  is_silent distances extreme.off --source 0 --isolines 3 --lines extreme.vtk
+  contains extreme.vtk "LINES 2 "
+done
 rejects 2 "lines.csv: the name must end with one of .obj, .ply, .vtk, .vtu" \
   distances "$grid" --source 0 --lines lines.csv
 

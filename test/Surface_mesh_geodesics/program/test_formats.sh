@@ -45,6 +45,30 @@ rejects 3 "word.off, line 3: 'x1' is not a coordinate" info word.off
 printf '\xff\xfeO\0F\0F\0' > utf16.off
 rejects 3 "utf16.off, line 1: the text is in UTF-16" info utf16.off
 
+# --- TS ---------------------------------------------------------------------------------------------------------------
+
+# Vertices may have any numbers in any order, and several objects number theirs anew.
+ts() {
+  echo "GOCAD TSurf 1"; echo "HEADER {"; echo "name: VRTX 1"; echo "}"; echo TFACE
+}
+{ ts; awk 'NR > 2 && NF == 3 { print "VRTX", 100 - NR, $1, $2, $3 } NF == 4 { print "TRGL", 97 - $2, 97 - $3, 97 - $4 }' \
+  "$grid"; echo "BSTONE 97"; echo END; } > numbers.ts
+same_distances numbers.ts
+sed 's/$/\r/' numbers.ts > crlf.ts
+same_distances crlf.ts
+{ ts; echo "PVRTX 1 0 0 0 7.5"; echo "VRTX 2 1 0 0 CNXYZ"; echo "VRTX 3 1 1 0"; echo "ATOM 4 1"; echo "TRGL 4 2 3"; echo END
+  ts; echo "VRTX 1 5 0 0"; echo "VRTX 2 7 0 0"; echo "VRTX 3 7 1 0"; echo "TRGL 1 2 3"; echo END; } > objects.ts
+"$program" distances objects.ts --source 3 > objects.csv 2> note
+equals "$(column objects.csv distance | paste -sd ' ')" "inf inf inf 0 2 2.23606797749979"
+{ ts; echo "VRTX 1 0 0 0"; echo "VRTX 1 1 0 0"; } > twice.ts
+rejects 3 "twice.ts, line 7: there are two vertices with the number 1" info twice.ts
+{ ts; echo "VRTX 1 0 0 0"; echo "TRGL 1 2 3"; } > missing.ts
+rejects 3 "missing.ts, line 7: there is no vertex with the number 2 before" info missing.ts
+{ ts; echo "VRTX 1 0 0 0"; } > cut.ts
+rejects 3 "the file ends before END" info cut.ts
+echo "GOCAD VSet 1" > points.ts
+rejects 3 "points.ts, line 1: 'VSet' is not a kind of object that the program reads, which is TSurf" info points.ts
+
 # --- OBJ --------------------------------------------------------------------------------------------------------------
 
 { echo "mtllib x.mtl"; echo "o thing"; points "v %s %s %s 1 0.5 0"; echo "vn 0 0 1"; echo "vt 0 0"; echo "g part"
