@@ -41,7 +41,7 @@ def _chains(segments: np.ndarray, n: int) -> list[list[int]]:
         while following := [q for q in neighbors[chain[-1]] if not is_used[q]]:
             is_used[following[0]] = True
             chain.append(following[0])
-        if len(neighbors[first]) == 2 and len(chain) > 2:
+        if len(neighbors[first]) == 2 and (len(chain) > 2 or neighbors[first] == [chain[-1]] * 2):
             chain.append(first)
         chains.append(chain)
     return chains

@@ -233,7 +233,7 @@ class Solver:
         places, ids = self._rows_and_columns(sources, targets)
         return self._surface.store_matrix(places, ids, os.fsencode(folder), bool(float32), bool(symmetric),
                                           arguments.radius_of("radius", radius), arguments.rows_of("rows", rows),
-                                          str(mesh_name), arguments.call_of(threads, progress))
+                                          os.fsencode(str(mesh_name)), arguments.call_of(threads, progress))
 
     def peeling_order(self, vertices: Any = None) -> np.ndarray:
         """Returns vertices in an order in which the rows of a symmetric matrix take little time.
@@ -270,7 +270,8 @@ class Solver:
 
     def shortest_path_curve(self, places: Any, closed: bool = False, *, threads: int | None = 1,
                             progress: Progress | None = None) -> Curve:
-        """Returns the curve that joins places by shortest paths, one after the other.
+        """Returns the curve that joins places by shortest paths, one after the other. Each takes the time of a
+        path() from another source.
 
         places  given as several sources are
         closed  whether a last path leads from the last place to the first one
@@ -551,8 +552,8 @@ class Solver:
         self._surface = _core.Surface(*state["_surface"], lengths, self._avoided)
 
     def _set_up(self, points: np.ndarray, faces: np.ndarray, lengths: np.ndarray | None) -> None:
-        diagonal = np.ptp(points, axis=0) if len(points) > 0 else 0.0
-        extent = np.linalg.norm(diagonal) if lengths is None else lengths.max(initial=0.0)
+        diagonal = np.ptp(points, axis=0) if len(points) > 0 else np.zeros(3)
+        extent = np.hypot.reduce(diagonal) if lengths is None else lengths.max(initial=0.0)
         self.__setstate__({"_surface": (points, faces), "_sizes": (len(points), len(faces)), "_avoided": NO_IDS,
                            "_extent": float(extent), "_lengths": None if lengths is None else lengths.copy()})
 

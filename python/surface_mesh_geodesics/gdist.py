@@ -51,9 +51,9 @@ def local_gdist_matrix(vertices: Any, triangles: Any, max_distance: float = 1e10
 def _solver(vertices: Any, triangles: Any, is_one_indexed: bool) -> Solver:
     V = arguments.points_of("vertices", vertices)
     first = int(bool(is_one_indexed))
-    F = arguments.triangles_of("triangles", triangles, len(V) + first)
-    if is_one_indexed and (F == 0).any():
-        raise IndexError("triangles has a 0, but vertices are counted from 1")
+    F = arguments.triangles_of("triangles", triangles, np.iinfo(np.int32).max if first else len(V))
+    if first and ((F < 1) | (F > len(V))).any():
+        raise IndexError(f"triangles has {F.min()} to {F.max()}, but there are {len(V)} vertices, counted from 1")
     F = F - first
     try:
         return Solver(V, F)

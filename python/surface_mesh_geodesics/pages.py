@@ -87,7 +87,7 @@ def page(V: Any, F: Any, distances: Any, *, sources: Any = None, paths: Path | S
                                                          .reshape(-1, 3), center)})
     result = Page(_filled({
         "title": title, "subtitle": f"{len(V)} vertices, {len(F)} faces", "center": center.tolist(),
-        "radius": float(np.linalg.norm(used.max(axis=0) - used.min(axis=0)) / 2), "points": _floats(V, center),
+        "radius": float(np.hypot.reduce(np.ptp(used, axis=0)) / 2), "points": _floats(V, center),
         "triangles": _base64(F.astype("<u4")), "distances": _base64(d.astype("<f4")), "largest": largest,
         "isolines": levels.tolist(), "cellColors": [], "lines": lines, "dots": dots, **cell_data}, title))
     if file is not None:

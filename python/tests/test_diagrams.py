@@ -33,6 +33,17 @@ def test_two_sites_divide_a_square():
     assert np.allclose(v.centroids[:, 1], [0.25, 0.75], atol=1e-12)
 
 
+@pytest.mark.parametrize("scale", [1e-170, 1e200])
+def test_tolerances_fit_any_extent(scale):
+    V, F = grid(4)
+    diagram = smg.Solver(scale * V, F).voronoi([0, len(V) - 1])
+    lines = diagram.boundary_polylines(0)
+    assert len(lines) > 0 and max(len(line.points) for line in lines) < 1000
+    diagram.boundary_polylines(0, tolerance=scale / 100)
+    with pytest.raises(ValueError, match="tolerance"):
+        diagram.boundary_polylines(0, tolerance=scale * 1e-9)
+
+
 def test_labels_areas_and_cut_agree():
     V, F = sphere(24)
     s = smg.Solver(V, F)

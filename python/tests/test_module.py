@@ -259,6 +259,9 @@ def test_gdist():
     one = gdist.compute_gdist(V, F + 1, np.array([4], np.int32), np.array([1, 2], np.int32), is_one_indexed=True)
     assert np.array_equal(one, smg.Solver(V, F).distances(4, targets=[1, 2]))
     assert np.isinf(gdist.compute_gdist(V, F, max_distance=0.3)).any()
+    beyond = np.where(F + 1 == len(V), len(V) + 1, F + 1)
+    with pytest.raises(IndexError, match=f"triangles has 1 to {len(V) + 1}, .* {len(V)} vertices, counted from 1"):
+        gdist.compute_gdist(V, beyond, is_one_indexed=True)
     mixed = F.copy()
     mixed[::3] = mixed[::3, ::-1]
     assert np.allclose(gdist.compute_gdist(V, mixed), d, rtol=1e-12)

@@ -76,3 +76,9 @@ def test_closed_isoline_ends_with_its_first_point():
     s = smg.Solver(V, F)
     (line,) = s.isolines(s.distances(0), 1.0)
     assert np.array_equal(line[0], line[-1]) and len(line) > 16
+
+
+def test_isoline_of_two_segments_is_closed():
+    pillow = smg.Solver([[0, 0, 0], [2, 0, 0], [0, 2, 0]], [[0, 1, 2], [0, 2, 1]])
+    (line,) = pillow.isolines(pillow.distances(0), 1.0)
+    assert np.array_equal(line[0], line[-1]) and len(line) == 3
