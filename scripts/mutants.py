@@ -410,9 +410,16 @@ MUTANTS = [
      "      m_emission[v] |= MUST_EMIT;\n      push(v, distance);\n", "static_cast<void>(push);",
      "no path bends at a saddle", (ANALYTIC, FLAT)),
     ("unreached_vertices_left", WAVEFRONT,
-     "if(reached == m_mesh.number_of_vertices() || reached == m_reached_at_last_start)", "if(reached > 0)",
-     "vertices between faces thinner than rounding are not reached", (NEEDLES,)),
+     "for(std::size_t i = first; i < reached &&", "for(std::size_t i = reached; i < reached &&",
+     "vertices between faces thinner than rounding are not reached", (NEEDLES,),
+     "corners of narrow faces are pseudo-sources now; no mesh is known where another vertex stays without a distance"),
 
+    ("offsets_of_any_size", TOLERANCE,
+     "return 1 / (4096 * epsilon());", "return 1 / epsilon() / epsilon() / epsilon();",
+     "a large offset makes all distances tie, and the propagation practically endless", ("test_invalid_input",)),
+    ("rows_of_any_length", INTERNAL + "applications/matrix_store/Stored_matrix.h",
+     " || begins[1] - begins[0] > layout().columns", "",
+     "a damaged row asks for gigabytes", ("test_distance_matrix_store",)),
     # --- tolerances ---
     ("distance_tolerance_zero", TOLERANCE,
      "static FT distance() { return 4 * epsilon(); }", "static FT distance() { return 0 * epsilon(); }",

@@ -124,6 +124,23 @@ void upper_triangle()
   CHECK_EQUAL(none.rows_done, 0u);
 }
 
+// A row that is longer than any row is damaged; no memory is asked for it.
+void a_damaged_row_is_not_read(const Test_folder& folder, const fs::path& pointers)
+{
+  std::string bytes = bytes_of(pointers);
+  bytes.replace(bytes.size() - 4, 4, "\xff\xff\xff\x7f");
+  write_bytes(pointers, bytes);
+  try
+  {
+    Store(folder.name()).sparse_row(9);
+    CHECK(false);
+  }
+  catch(const Store_error& e)
+  {
+    CHECK(e.reason() == Store_error::Reason::DAMAGED);
+  }
+}
+
 void within_radius()
 {
   test_support::Scope scope("within a radius");
@@ -169,6 +186,7 @@ void within_radius()
   CHECK_EQUAL(check.rows_compared, expected.size());
   CHECK_EQUAL(check.rows_different, 0u);
   CHECK(check.pairs_compared > 0 && check.worst_asymmetry < 1e-14 && check.worst_triangle_violation < 1e-14);
+  a_damaged_row_is_not_read(folder, pointers[0]);
   // Samples are near each other, however small the radius is.
   const Mesh fine = to_face_graph(icosphere(3));
   Test_folder small("small_radius");
@@ -419,6 +437,7 @@ void texts_of_json()
     const double x = std::ldexp(random.uniform(-1, 1), static_cast<int>(random.index(2000)) - 1000);
     CHECK_EQUAL(Json_reader(CGAL::Surface_mesh_geodesics::internal::Json_value(x).written()).read().number(), x);
   }
+  CHECK(std::signbit(Json_reader(CGAL::Surface_mesh_geodesics::internal::Json_value(-0.).written()).read().number()));
 }
 
 } // namespace

@@ -389,6 +389,7 @@ void invalid_offsets_are_rejected()
   reject({nan_value, 1., 1.}, 0, "NaN offset");
   reject({0., infinity, 1.}, 1, "infinite offset");
   reject({0., -infinity, 1.}, 1, "minus infinite offset");
+  reject({0., 1e13, 1.}, 1, "offset beside which the mesh vanishes");
   reject({0., 1.}, any_element, "too few offsets");
   reject({0., 1., 2., 3.}, any_element, "too many offsets");
   const Mesh tiny = to_face_graph(scaled(icosphere(1), 1e-100));
@@ -403,6 +404,24 @@ void invalid_offsets_are_rejected()
     options.source_offsets = {1.};
     SMG::geodesic_distances(tm, distance_map, std::vector<vertex_descriptor>(), parameters_of(options));
   });
+}
+
+// Distances with an offset that is a bit smaller than the largest valid one differ from it by those without, rounded.
+void large_offsets_cost_digits_only()
+{
+  const Mesh tm = to_face_graph(icosphere(2));
+  Distance_options<Mesh> options;
+  options.source_offsets = {1e11};
+  const std::vector<vertex_descriptor> source{vertex_descriptor(0)};
+  SMG::Propagation_statistics statistics;
+  options.statistics = &statistics;
+  const std::vector<double> with = distances_with_options(tm, source, options);
+  const std::size_t windows = statistics.windows_propagated;
+  options.source_offsets.clear();
+  const std::vector<double> without = distances_with_options(tm, source, options);
+  for(std::size_t v = 0; v < without.size(); ++v)
+    CHECK(std::abs(with[v] - 1e11 - without[v]) <= 1e-3);
+  CHECK(windows <= 2 * statistics.windows_propagated);
 }
 
 void invalid_radii_are_rejected()
@@ -502,6 +521,7 @@ int main()
   rounded_locations_are_allowed();
   null_and_foreign_descriptors_are_rejected();
   invalid_offsets_are_rejected();
+  large_offsets_cost_digits_only();
   invalid_radii_are_rejected();
 #ifdef NDEBUG
   index_maps_must_number_from_zero();

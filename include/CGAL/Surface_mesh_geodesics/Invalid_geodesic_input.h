@@ -61,9 +61,9 @@ public:
     INVALID_LOCATION,    ///< a location has a null face, or lies outside its face; or a vertex, a location or a curve
                          ///< is inside of the faces to avoid
     INVALID_DESCRIPTOR,  ///< a vertex, a face or an edge is null, or does not belong to the mesh
-    INVALID_OFFSET,      ///< an offset is negative, not finite, too large for the mesh, or not 0 for signed isolines; a
-                         ///< weight is not finite or differs too much from the largest one; or there is not one per
-                         ///< source or site
+    INVALID_OFFSET,      ///< an offset is negative, not finite, far larger than the mesh, or not 0 for signed
+                         ///< isolines; a weight is not finite or differs too much from the largest one; or there is
+                         ///< not one per source or site
     INVALID_RADIUS,      ///< a maximum distance or a covering radius is negative or not a number
     INVALID_INDEX_MAP,   ///< an index map has values out of range, or equal values
     NON_MANIFOLD,        ///< a face has a vertex twice, or two faces disagree about the ends of their edge

@@ -353,7 +353,8 @@ public:
   /// \param offset the distance of the points of the curve, in the unit of the mesh; finite and not negative
   /// \return the iterator to the source point, whose location is the first point of the curve
   /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the offset is negative or not finite; nothing changes
-  ///         then
+  ///         then. (`build_sequence_tree()` throws it if the offset is more than about \f$ 10^{12} \f$ times the extent
+  ///         of the mesh.)
   template <typename Curve>
   Source_point_iterator add_source_curve(const Curve& curve, double offset = 0)
   {

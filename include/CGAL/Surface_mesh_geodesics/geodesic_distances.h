@@ -178,13 +178,13 @@ How to write sequences of parameters, and which one comes first: \ref Surface_me
 
 \throws Invalid_geodesic_input if a face is not a triangle or has a vertex twice, if two faces disagree about the ends
         of their edge, if a coordinate is not finite or the extent of the points exceeds \f$ 2^{960} \f$, if one of
-        several components that sources can reach is smaller than the others by a factor of more than
-        \f$ 10^{60} \f$, if a location is not in its face or has a null face, if a descriptor is not one of `tm`
-        according to the index maps, if an index map has values that are out of range or equal, or if the mesh has too
-        many faces; also if a source is inside of the faces to avoid, if an edge to avoid is not in `tm`, if a target is
-        not a vertex of `tm`, if the radius is negative or not a number, if an offset is negative or not finite, or if
-        there is not one offset for each source; with the reason `INVALID_CURVE` if segments of curves nearly coincide,
-        so that rounding hides where they run. The maps are unchanged then.
+        several components that sources can reach is smaller than the others by a factor of more than \f$ 10^{60} \f$,
+        if a location is not in its face or has a null face, if a descriptor is not one of `tm` according to the index
+        maps, if an index map has values that are out of range or equal, or if the mesh has too many faces; also if a
+        source is inside of the faces to avoid, if an edge to avoid is not in `tm`, if a target is not a vertex of `tm`,
+        if the radius is negative or not a number, if an offset is negative, not finite, or more than about
+        \f$ 10^{12} \f$ times the extent of the mesh, or if there is not one offset for each source; with the reason `INVALID_CURVE`
+        if segments of curves nearly coincide, so that rounding hides where they run. The maps are unchanged then.
 \throws std::bad_alloc if there is not enough memory. The maps are unchanged then, and also if the visitor throws; its
         exception is passed on.
 */

@@ -25,8 +25,8 @@
 #include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/One_block.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/curves/Source_curves.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/curves/curves_at_walls.h>
@@ -440,15 +440,15 @@ public:
     reject_avoided(what, position);
   }
 
-  // Appends the offset of the source with the number set.offsets.size(). Throws if it is infinite in the unit of the
-  // intrinsic mesh. Requires: it is finite and not negative. If it throws, the set has one offset too many, and must
-  // not be used any more.
+  // Appends the offset of the source with the number set.offsets.size(). Throws if it is too large in the unit of the
+  // intrinsic mesh (Tolerance::largest_offset()). Requires: it is finite and not negative. If it throws, the set has
+  // one offset too many, and must not be used any more.
   void add_offset(double offset, Source_set<FT>& set) const
   {
     CGAL_assertion(offset >= 0);
     const std::size_t position = set.offsets.size();
     set.offsets.push_back(FT(FT(offset) / unit()));
-    if(!(set.offsets.back() < Vertex_distance_field<FT>::infinity()))
+    if(!(set.offsets.back() <= Tolerance<FT>::largest_offset()))
       throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::INVALID_OFFSET,
                                    "the offset of source " + std::to_string(position)
                                      + " is too large for a mesh of this extent", position);

@@ -113,6 +113,11 @@ struct Tolerance
     return sqrt(epsilon()) / 1024;
   }
 
+  // Relative to the extent of the mesh: the largest offset of a source. With a larger one, distances that differ by the
+  // 1024th part of the extent would tie (distance()), and paths could run around many edges without growing. It is
+  // 2^40 for double.
+  static FT largest_offset() { return 1 / (4096 * epsilon()); }
+
   // Relative to the longest side L: a face with a smaller height h has degenerate corners. A path across it may miss a
   // corner by h, and is then about h^2 / L shorter than the path through that corner. This is less than 16 epsilon() L
   // here, and images err by as much. So the comparison with the corner may remove the window of the shortest path, and

@@ -39,12 +39,14 @@ struct Single_precision
                                             : std::numeric_limits<float>::infinity();
   }
 
-  // A bound from below; the largest finite number for large x, so that no bound from below is infinite.
+  // A bound from below; the largest finite number for large x, so that no bound from below is infinite. Subtracting the
+  // smallest normal number compensates for underflow.
   template <typename FT>
   static float not_more(const FT& x)
   {
     CGAL_assertion(x >= 0);
-    return static_cast<float>((std::min)(static_cast<double>(x) * (1 - rounding), static_cast<double>(largest)));
+    const double y = (std::min)(static_cast<double>(x) * (1 - rounding), static_cast<double>(largest));
+    return (std::max)(static_cast<float>(y) - (std::numeric_limits<float>::min)(), 0.f);
   }
 };
 

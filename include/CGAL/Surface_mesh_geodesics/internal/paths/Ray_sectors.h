@@ -50,7 +50,7 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 
 // All lengths are in the unit of the mesh. An object is used by one thread; mesh and field are referred to, and do not
-// change. Memory: at most four sectors for each edge; further paths are followed to their ends.
+// change. Memory: at most eight sectors for each face; further paths are followed to their ends.
 template <typename FT>
 class Ray_sectors
 {

@@ -113,7 +113,6 @@ public:
   }
 
 private:
-  // A halfedge on a curve, with the offset of the curve.
   // The part of the edge ba, opposite to the vertex, that is in the sector: from the abscissa `begin` to where `rest`
   // is left up to its end.
   struct Edge_part

@@ -39,6 +39,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -201,27 +202,26 @@ public:
   }
 
   // Lets windows start at vertices with a distance that share a face with a vertex without one, as if paths could bend
-  // there, and returns whether there are any. Requires: nothing waits. Linear in the area reached, and constant if no
-  // vertex was reached since the last call.
+  // there, and returns whether there are any. Requires: nothing waits. Linear in the area reached since the last call.
   //
   // In exact arithmetic no such vertex exists. In faces thinner than rounding each of two paths may have been pruned
   // because of the other. Only the area reached is searched: with many components all other faces would cost more than
-  // the propagation.
+  // the propagation. What was reached before the last call has been searched, and other vertices than then are reached.
   template <typename Push>
   bool start_beside_unreached_vertices(Push push)
   {
     const std::size_t reached = m_field.reached.size();
-    if(reached == m_mesh.number_of_vertices() || reached == m_reached_at_last_start)
-      return false;
-    m_reached_at_last_start = reached;
+    const std::size_t first = std::exchange(m_reached_at_last_start, reached);
     bool is_any = false;
-    for(const Vertex_id v : m_field.reached)
-      if(is_beside_unreached_vertex(v))
-      {
-        m_emission[v] |= MUST_EMIT;
-        push(v, m_field.distance[v]);
-        is_any = true;
-      }
+    for(std::size_t i = first; i < reached && reached < m_mesh.number_of_vertices(); ++i)
+    {
+      const Vertex_id v = m_field.reached[i];
+      if(!is_beside_unreached_vertex(v))
+        continue;
+      m_emission[v] |= MUST_EMIT;
+      push(v, m_field.distance[v]);
+      is_any = true;
+    }
     return is_any;
   }
 

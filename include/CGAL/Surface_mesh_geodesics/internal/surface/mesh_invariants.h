@@ -31,7 +31,7 @@ bool is_layout_valid(const Intrinsic_face<FT>& f)
 }
 
 // Returns whether h and its opposite belong together: each is the opposite of the other, they run in opposite
-// directions, and their lengths are the same bits.
+// directions, and their lengths are the same bits (if numbers are rounded to nearest).
 template <typename FT>
 bool is_opposite_valid(const Intrinsic_mesh<FT>& mesh, Halfedge_id h)
 {

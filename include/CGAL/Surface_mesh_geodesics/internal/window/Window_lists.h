@@ -38,6 +38,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -398,11 +399,12 @@ private:
   }
 
   // Vectors are loaded faster from addresses that are multiples of their size. Heights of blocks are multiples of
-  // `padding` rows, so if a slab is aligned, all columns of its blocks are.
+  // `padding` rows, so if a slab is aligned, all columns of its blocks are. (Numbers of other types have no vectors,
+  // and there may be no such multiple.)
   template <typename T>
   static T* aligned(T* p)
   {
-    while(reinterpret_cast<std::uintptr_t>(p) % (Columns::padding * alignof(T)) != 0)
+    while(std::is_arithmetic<T>::value && reinterpret_cast<std::uintptr_t>(p) % (Columns::padding * alignof(T)) != 0)
       ++p;
     return p;
   }

@@ -125,7 +125,7 @@ public:
     const std::size_t shard = shard_with(i);
     const std::vector<std::uint32_t> begins = read_npy_elements<std::uint32_t>(
       m_folder.file(shard, ".indptr.npy"), i - layout().first_row(shard), 2);
-    if(begins[1] < begins[0])
+    if(begins[1] < begins[0] || begins[1] - begins[0] > layout().columns)
       complain_of_damage(m_folder.file(shard, ".indptr.npy"));
     // Rows may be empty; not that of a source that is a target itself.
     const std::size_t number = begins[1] - begins[0];

@@ -21,6 +21,7 @@
 // the weight that the user gave. All offsets that leave are valid.
 
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
@@ -92,8 +93,8 @@ public:
     return largest;
   }
 
-  // Calls add(site, offset) for each site. Throws Invalid_geodesic_input if an offset is infinite, also as a multiple
-  // of `unit`, the unit of the intrinsic mesh. The sites before that one have been passed on then, so what add() has
+  // Calls add(site, offset) for each site. Throws Invalid_geodesic_input if an offset is too large as a multiple of
+  // `unit`, the unit of the intrinsic mesh. The sites before that one have been passed on then, so what add() has
   // filled must not be used. Takes linear time.
   // Requires: unit > 0. The offset that add() gets is in the user's unit.
   template <typename Add>
@@ -103,7 +104,7 @@ public:
     for(std::size_t i = 0; i < m_sites.size(); ++i)
     {
       const double offset = largest - CGAL::to_double(m_sites[i].weight);
-      if(!std::isfinite(offset / unit))
+      if(!(offset / unit <= Tolerance<double>::largest_offset()))
         reject_weight("differs too much from the largest weight", i);
       add(m_sites[i], offset);
     }

@@ -176,7 +176,8 @@ private:
   // other readers tell integers by that.
   std::string written_number() const
   {
-    if(m_number == std::floor(m_number) && std::abs(m_number) < 9007199254740992.)
+    const bool is_minus_zero = m_number == 0 && std::signbit(m_number); // integers have no such number
+    if(m_number == std::floor(m_number) && std::abs(m_number) < 9007199254740992. && !is_minus_zero)
       return std::to_string(static_cast<long long>(m_number));
     char text[40];
     const std::to_chars_result end = std::to_chars(text, text + sizeof text, m_number);

@@ -76,18 +76,19 @@ public:
     if(m_file == nullptr)
       complain();
     std::setvbuf(m_file, nullptr, _IONBF, 0); // the bytes have been collected here
-    put_bytes(npy_header(m_element, {0}));
+    try
+    {
+      put_bytes(npy_header(m_element, {0}));
+    }
+    catch(...) // no destructor runs
+    {
+      remove_incomplete_file();
+      throw;
+    }
   }
 
-  // Removes an incomplete file. If the process dies before, a later one does (Store_folder::remove_stale_files()).
-  ~Npy_writer()
-  {
-    if(m_file != nullptr)
-      std::fclose(m_file);
-    std::error_code error;
-    if(!m_is_renamed)
-      std::filesystem::remove(m_temporary, error);
-  }
+  // If the process dies before, a later one removes an incomplete file (Store_folder::remove_stale_files()).
+  ~Npy_writer() { remove_incomplete_file(); }
 
   Npy_writer(const Npy_writer&) = delete;
   Npy_writer& operator=(const Npy_writer&) = delete;
@@ -133,6 +134,15 @@ public:
   std::string checksum() const { return m_checksum.text(); }
 
 private:
+  void remove_incomplete_file() noexcept
+  {
+    if(m_file != nullptr)
+      std::fclose(m_file);
+    std::error_code error;
+    if(!m_is_renamed)
+      std::filesystem::remove(m_temporary, error);
+  }
+
   // The final name is the one that the user knows.
   [[noreturn]] void complain() const { complain_of_file(m_path, "cannot be written: " + system_message()); }
 

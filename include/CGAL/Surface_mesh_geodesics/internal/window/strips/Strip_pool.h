@@ -43,7 +43,8 @@ struct Strip_list
   std::size_t capacity() const { return strips == nullptr ? 0 : std::size_t(4) << size_class; }
 };
 
-// Invariant: each block has one owner, a list or the pool; also after an exception for want of memory.
+// Invariant: each block has one owner, a list or the pool. After an exception for want of memory it may have none; it
+// is freed with its slab then.
 template <typename FT>
 class Strip_pool
 {
