@@ -379,7 +379,7 @@ void verify(const Arguments& arguments, const Console& console)
     throw Command_error(Exit_code::NO_RESULT, folder + ": some shards are damaged");
   const std::string mesh_name = has(arguments, "mesh") ? mesh_argument(arguments) : matrix.mesh_name();
   if(mesh_name.empty())
-    throw Command_error(Exit_code::BAD_USAGE, folder + ": the folder does not name its mesh; give the file of the mesh");
+    throw Command_error(Exit_code::BAD_USAGE, folder + ": the folder names no mesh; give the file of the mesh");
   const Geodesic_matrix_store_check check
     = CGAL::Surface_mesh_geodesics::check_geodesic_distance_matrix(read_mesh(mesh_name, console), folder);
   const double limit = tolerance(matrix);

@@ -183,8 +183,9 @@ How to write sequences of parameters, and which one comes first: \ref Surface_me
         maps, if an index map has values that are out of range or equal, or if the mesh has too many faces; also if a
         source is inside of the faces to avoid, if an edge to avoid is not in `tm`, if a target is not a vertex of `tm`,
         if the radius is negative or not a number, if an offset is negative, not finite, or more than about
-        \f$ 10^{12} \f$ times the extent of the mesh, or if there is not one offset for each source; with the reason `INVALID_CURVE`
-        if segments of curves nearly coincide, so that rounding hides where they run. The maps are unchanged then.
+        \f$ 10^{12} \f$ times the extent of the mesh, or if there is not one offset for each source; with the reason
+        `INVALID_CURVE` if segments of curves nearly coincide, so that rounding hides where they run. The maps are
+        unchanged then.
 \throws std::bad_alloc if there is not enough memory. The maps are unchanged then, and also if the visitor throws; its
         exception is passed on.
 */
