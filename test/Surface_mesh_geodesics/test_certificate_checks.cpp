@@ -9,8 +9,11 @@
 #include <CGAL/Surface_mesh_geodesics/certify_geodesic_distances.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Chunk_team.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Component_extents.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/unfolding.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <type_traits>
@@ -129,6 +132,83 @@ void wrong_bounds_are_found()
   }
 }
 
+double value_at(const std::vector<SMGI::Distance_piece<double>>& pieces, double t)
+{
+  for(const SMGI::Distance_piece<double>& p : pieces)
+    if(t <= p.end)
+      return p.at(t);
+  return pieces.back().at(t);
+}
+
+// Paths go on along the edge from both ends of an interval that is much nearer than what is beside it.
+void paths_go_on_from_the_ends_of_an_interval()
+{
+  SMGI::Edge_distance_function<double> function;
+  function.restart(1.);
+  function.add({0., 1., 0., 0., 10.}); // from the begin of the edge
+  function.add({.4, .6, .5, .1, 1.});
+  const double at_end = 1 + std::hypot(.1, .1);
+  for(const double t : {.1, .3, .7, .9})
+    CHECK_NEAR(value_at(function.pieces(), t), at_end + std::abs(t - .5) - .1, 1e-15);
+  function.add({.2, .3, .25, 0., 5.}); // nowhere nearer
+  CHECK_EQUAL(function.pieces().size(), 3u);
+}
+
+// Returns the largest excess of the function over the condition of the proof, by samples on the border of each face.
+double sampled_violation(const Witness& witness, test_support::Random& random)
+{
+  SMGI::Lower_bound_function<double> function(witness.mesh, witness.field.distance, witness.windows);
+  function.make(SMGI::Chunk_team<SMGI::Calling_thread>(), [] { return true; });
+  double worst = 0;
+  for(SMGI::Face_id f = 0; f < witness.mesh.number_of_faces(); ++f)
+  {
+    const auto corner = SMGI::layout_of_face(witness.mesh.face(f));
+    const double size = SMGI::longest_side(witness.mesh.face(f));
+    std::array<std::vector<SMGI::Distance_piece<double>>, 3> on_side;
+    for(unsigned int k = 0; k < 3; ++k)
+      function.read(SMGI::halfedge_of(f, k), false, on_side[k]);
+    for(std::size_t i = 0; i < 200; ++i)
+    {
+      std::array<SMGI::Planar_point<double>, 2> point{};
+      std::array<double, 2> value{};
+      for(std::size_t j = 0; j < 2; ++j)
+      {
+        const unsigned int k = static_cast<unsigned int>(random.index(3));
+        const SMGI::Planar_point<double> a = corner[k], b = corner[(k + 1) % 3];
+        const double t = random.uniform(0., 1.);
+        point[j] = {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
+        value[j] = value_at(on_side[k], t * witness.mesh.length(SMGI::halfedge_of(f, k)));
+      }
+      const double way = std::hypot(point[0].x - point[1].x, point[0].y - point[1].y);
+      worst = (std::max)(worst, (value[0] - value[1] - way) / (value[0] + size));
+    }
+  }
+  return worst;
+}
+
+// Whatever is wrong with the values, no sample violates the condition by more than twice what the check has found.
+void no_sample_exceeds_the_violation()
+{
+  test_support::Scope scope("samples");
+  test_support::Random random(20261129);
+  for(const Indexed_mesh& indexed : {icosphere(2), saddle_patch(8), noisy_sphere(2, .2, 3), prism_tube(8, 6, 1., 2.)})
+  {
+    test_support::Scope mesh_scope(indexed.name);
+    std::size_t number_found = 0;
+    for(std::size_t i = 0; i < 24; ++i)
+    {
+      Witness witness(indexed);
+      const std::size_t n = witness.mesh.number_of_vertices();
+      for(std::size_t k = random.index(4); k-- > 0;)
+        witness.field.distance[random.index(n)] *= 1 + random.uniform(-1., 1.) / (i % 2 == 0 ? 4 : 64);
+      const double found = witness.violation(), sampled = sampled_violation(witness, random);
+      CHECK(sampled <= 2 * found + 1e-14);
+      number_found += sampled > 1e-3 ? 1 : 0;
+    }
+    CHECK(number_found > 4);
+  }
+}
+
 void missing_windows_are_found()
 {
   test_support::Scope scope("windows");
@@ -231,6 +311,8 @@ void paths_are_measured()
 int main()
 {
   wrong_bounds_are_found();
+  paths_go_on_from_the_ends_of_an_interval();
+  no_sample_exceeds_the_violation();
   missing_windows_are_found();
   windows_missing_on_either_side_are_found();
   paths_are_measured();

@@ -49,12 +49,12 @@ reverse. It trusts the edge lengths that it has read, and the insertion of sourc
 curve crosses are divided along it. All points of a curve count as sources in the proof.
 
 If no condition is violated by more than \f$ \delta \f$, a distance is too short by at most \f$ \delta \f$, and too long
-by at most \f$ (m + 3) \delta \f$, relative to the sum of the distance and the longest edge of the mesh, where \f$ m \f$
-is the number of faces that a shortest path crosses.
+by at most \f$ (2 m + 3) \delta \f$, relative to the sum of the distance and the longest edge of the mesh, where
+\f$ m \f$ is the number of faces that a shortest path crosses.
 
-<b>Complexity.</b> Takes the time and the memory of a propagation that keeps its windows. In addition it takes time
-quadratic in the number of intervals into which the function divides the edges of a face, for each face, and linear in
-the number of faces that a path crosses, for each vertex. With curves, each of the propagations in reverse keeps its
+<b>Complexity.</b> Takes the time and the memory of a propagation that keeps its windows. In addition it takes time at
+most quadratic in the number of windows of an edge, for each edge, and linear in the number of faces that a path
+crosses, for each vertex. With curves, each of the propagations in reverse keeps its
 windows, too, and goes on to the end.
 
 <b>Parallelism.</b> With `Parallel_tag`, threads share the checks of paths and of lower bounds, which take most of the

@@ -131,12 +131,28 @@ public:
 
   // Adds the paths of a piece, and those that go on from the ends of its interval along the edge: distances from an
   // image at the end itself, at depth 0.
-  // Requires: 0 <= piece.begin and piece.end <= length, unless the interval is empty. Takes time linear in the number
-  // of pieces.
+  // Requires: 0 <= piece.begin and piece.end <= length, unless the interval is empty. Takes time logarithmic in the
+  // number of pieces if the piece or its neighbors cover its ends already, else linear.
+  //
+  // The function grows by no more than the length of the way. So where it is not greater than the piece at its begin,
+  // the paths that go on from there are not less anywhere; the same holds at the end.
   void add(const Piece& piece)
   {
-    add(piece, {FT(0), piece.begin, piece.begin, FT(0), piece.at(piece.begin)},
-        {piece.end, m_length, piece.end, FT(0), piece.at(piece.end)});
+    if(!(piece.begin < piece.end))
+      return;
+    const FT at_begin = piece.at(piece.begin), at_end = piece.at(piece.end);
+    const Piece before = {FT(0), piece.begin, piece.begin, FT(0), at_begin};
+    const Piece behind = {piece.end, m_length, piece.end, FT(0), at_end};
+    if(m_pieces.empty())
+      return add(piece, before, behind);
+    const bool is_before_better = is_clearly_less<FT>(at_begin, at(piece.begin));
+    const bool is_behind_better = is_clearly_less<FT>(at_end, at(piece.end));
+    add_part(piece);
+    if(is_before_better)
+      add_part(before);
+    if(is_behind_better)
+      add_part(behind);
+    CGAL_expensive_assertion(do_pieces_cover_edge());
   }
 
   // Adds the paths of a piece, and other paths to the points before and behind its interval: [0, before.end] and
@@ -186,20 +202,32 @@ private:
       pieces.push_back(part);
   }
 
+  // Returns an iterator to the piece with an abscissa; of two pieces that meet there, the first one.
+  typename std::vector<Piece>::iterator piece_at(const FT& t)
+  {
+    return std::lower_bound(m_pieces.begin(), m_pieces.end(), t,
+                            [](const Piece& p, const FT& abscissa) { return p.end < abscissa; });
+  }
+
+  // The function at an abscissa. Requires: there are pieces, and the abscissa is one of the edge.
+  FT at(const FT& t) { return piece_at(t)->at(t); }
+
   // Takes the minimum with a part of the function. Does nothing if the part is not clearly better anywhere.
   void add_part(const Piece& part)
   {
     if(!(part.begin < part.end))
       return;
-    bool is_better = false;
-    for(std::size_t i = 0; i < m_pieces.size() && !is_better; ++i)
-      is_better = is_clearly_better(part, m_pieces[i]);
-    if(!is_better)
+    const auto begins_before = [](const Piece& p, const FT& abscissa) { return p.begin < abscissa; };
+    const auto first = piece_at(part.begin), last = std::lower_bound(first, m_pieces.end(), part.end, begins_before);
+    if(std::none_of(first, last, [&](const Piece& old) { return is_clearly_better(part, old); }))
       return;
+    // The neighbors join pieces of their image, as append() does.
     m_buffer.clear();
-    for(const Piece& old : m_pieces)
-      merge(part, old);
-    m_pieces.swap(m_buffer);
+    const auto from = first == m_pieces.begin() ? first : first - 1, to = last == m_pieces.end() ? last : last + 1;
+    for(auto old = from; old != to; ++old)
+      merge(part, *old);
+    const auto rest = m_pieces.erase(from, to);
+    m_pieces.insert(rest, m_buffer.begin(), m_buffer.end());
   }
 
   // Is the part less than the old piece somewhere in their common interval, by more than rounding? The difference is
@@ -288,7 +316,7 @@ private:
   }
 
   FT m_length = 0;
-  // The buffer takes the new sequence while add_part() reads the old one; otherwise its content means nothing.
+  // The buffer takes the pieces that change while add_part() reads the old ones; otherwise its content means nothing.
   std::vector<Piece> m_pieces, m_buffer;
 };
 

@@ -31,18 +31,25 @@
 // piece. So both sides of the condition are distances from images, and the extrema of their difference are at known
 // abscissas.
 //
+// For one point p and the whole edge, u(q) + |pq| is convex on each piece. If it is least at the begin of a piece, the
+// piece before is not greater there; so its least value is no greater, unless u jumps. Such a way needs a check of its
+// own only if the piece before is least at its end, or if there is none. The same holds for ends. So each point p is
+// checked against the pieces that see it, and against few ends: nearly linear in the number of pieces, as they see
+// different points. All jumps of an edge together count as one violation.
+//
 // Steps:
 // - Lower_bound_function makes u on each edge.
 // - check_face() takes each halfedge as the place of q, for the face on its left. check_ends() and check_continuity()
-//   are for p on the same edge, check_pieces() for p on the two other sides. check_pair() divides the side of p by the
-//   ends of the piece of q, check_part() compares two distances from images.
+//   are for p on the same edge, check_side() for p on the two other sides. ways_through() divides a side by the ends of
+//   the piece of q, check_part() compares two distances from images.
 // - prove_lower_bounds() does both, in one thread or in several.
 // - record_excess_on_edge() checks u(s) <= offset of s on an edge of a curve. A piece is convex, so its ends decide.
 // - Not here: the same for sources at vertices, which the caller checks (Distance_certifier).
 //
-// Rounding. Let e be the largest violation found; a violation is the excess, so u(p) <= u(q) + |pq| + e. A path that
-// crosses m faces gives u(v) <= u(s) + length + m e. The values at both ends of the path may differ by e from the
-// function on the edges. So the distance is at least u(v) - (m + 2) e.
+// Rounding. Let e be the largest violation found; a violation is the excess, so u(p) <= u(q) + |pq| + e for the points
+// that are checked, and with 2 e for all others, because of jumps. A path that crosses m faces gives
+// u(v) <= u(s) + length + 2 m e. The values at both ends of the path may differ by e from the function on the edges. So
+// the distance is at least u(v) - 2 (m + 1) e.
 
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Edge_distance_function.h>
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Lower_bound_function.h>
@@ -86,8 +93,8 @@ public:
   // The worst violation on the faces that have been checked.
   const Worst_violation<FT>& worst() const { return m_worst; }
 
-  // Records the violations of u(p) <= u(q) + |pq| over all points on the border of a face. Takes time quadratic in the
-  // number of pieces around the face.
+  // Records the violations of u(p) <= u(q) + |pq| over all points on the border of a face. Takes time O(n log n) for n
+  // pieces around the face, plus time linear in the number of pairs of which one sees the other.
   void check_face(Face_id f)
   {
     for(unsigned int k = 0; k < 3; ++k)
@@ -97,10 +104,23 @@ public:
 private:
   using Point = Planar_point<FT>;
 
-  // The values of a linear function at the ends of a piece: on which side of a ray they are (turn()).
+  // The values of a linear function at the ends of a side: on which side of a ray they are (turn()).
   struct Ends
   {
     FT first, last;
+  };
+
+  // A part of a side, empty if last < first.
+  struct Part
+  {
+    FT first = 0, last = -1;
+  };
+
+  // For each point of a side, the shortest way from a piece leads through the begin of the piece, is straight from its
+  // image, or leads through its end. (By rounding, the first and the last part may have points in common.)
+  struct Ways
+  {
+    Part through_begin, straight, through_end;
   };
 
   static bool is_finite(const FT& d) { return d < std::numeric_limits<FT>::infinity(); }
@@ -123,25 +143,28 @@ private:
     if(c.left_length > 0)
     {
       m_function.read(previous_halfedge(h), true, m_to);
-      check_pieces(left_side_line(c), {c.origin, c.apex});
+      check_side(left_side_line(c), {c.origin, c.apex});
     }
     if(c.right_length > 0)
     {
       m_function.read(next_halfedge(h), false, m_to);
-      check_pieces(right_side_line(c), {c.target, c.apex});
+      check_side(right_side_line(c), {c.target, c.apex});
     }
   }
 
-  // Checks that the function has no jumps, and is not less than the values at the ends of the edge. (It is not greater
-  // by more than rounding, as add_paths() has added the paths from both ends.) A piece is a distance from an image, or
-  // along rays, which grows by at most the length of the way. So a function without jumps satisfies the condition for
-  // two points of the edge itself, and no other check is needed for them.
+  // Checks that the function has no jumps, which count together, and is not less than the values at the ends of the
+  // edge. (It is not greater by more than rounding, as add_paths() has added the paths from both ends.) A piece is a
+  // distance from an image, or along rays, which grows by at most the length of the way. So a function without jumps
+  // satisfies the condition for two points of the edge itself, and no other check is needed for them.
   // Requires: m_from is not empty.
   void check_continuity(const Face_frame<FT>& c)
   {
+    FT jumps = 0;
     for(std::size_t i = 0; i + 1 < m_from.size(); ++i)
-      record(abs_difference(m_from[i].at(m_from[i].end), m_from[i + 1].at(m_from[i].end)),
-             m_from[i].at(m_from[i].end), c.origin);
+    {
+      jumps += abs_difference(m_from[i].at(m_from[i].end), m_from[i + 1].at(m_from[i].end));
+      record(jumps, m_from[i].at(m_from[i].end), c.origin);
+    }
     record(distance(c.origin) - m_from.front().at(FT(0)), distance(c.origin), c.origin);
     record(distance(c.target) - m_from.back().at(c.length), distance(c.target), c.target);
   }
@@ -167,53 +190,106 @@ private:
   // The vertices at the start and at the end of a side; a violation is reported at the nearer one.
   using Ends_of_side = std::pair<Vertex_id, Vertex_id>;
 
-  // Checks each piece of the edge (m_from) against each piece of the side (m_to).
-  void check_pieces(const Side_line<FT>& side, const Ends_of_side& ends)
+  // Checks the condition from the points of the edge (m_from) to those of the side (m_to).
+  void check_side(const Side_line<FT>& side, const Ends_of_side& ends)
   {
-    for(const Piece& q : m_from)
-      for(const Piece& p : m_to)
-        check_pair(q, p, side, ends);
+    Part through_end; // of the piece before
+    for(std::size_t i = 0; i < m_from.size(); ++i)
+    {
+      const Piece& q = m_from[i];
+      const Ways ways = ways_through(q, side);
+      check_straight_ways(q, ways.straight, side, ends);
+      FT at_begin = q.at(q.begin);
+      if(i == 0)
+        through_end = ways.through_begin; // there is no piece that the way could come through instead
+      else
+        at_begin = (std::min)(at_begin, m_from[i - 1].at(q.begin));
+      check_ways_through(Point{q.begin, FT(0)}, at_begin, common_part(through_end, ways.through_begin), side, ends);
+      through_end = ways.through_end;
+    }
+    const Piece& last = m_from.back();
+    check_ways_through(Point{last.end, FT(0)}, last.at(last.end), through_end, side, ends);
   }
 
-  // Checks the condition from the points of q, on the edge, to the points of p, on the side. The points of p that are
-  // seen from the image of q through q form an interval; to those on either side of it, the shortest way is through an
-  // end of q. If the image lies on the edge, all ways are through the point of q that is nearest to it. The image is
-  // taken below the edge, opposite to p, wherever its paths come from: its distances on the edge are the same. Rays
-  // along the edge come from an end of q.
-  void check_pair(const Piece& q, const Piece& p, const Side_line<FT>& side, const Ends_of_side& ends)
+  static Part common_part(const Part& a, const Part& b)
   {
-    const Point begin = {q.begin, FT(0)}, end = {q.end, FT(0)};
+    return {(std::max)(a.first, b.first), (std::min)(a.last, b.last)};
+  }
+
+  // Divides a side by the ways from the points of q, on the edge. If the image lies on the edge, all ways lead through
+  // the point of q that is nearest to it. Else the image is taken below the edge, opposite to the side, wherever its
+  // paths come from: its distances on the edge are the same. Rays along the edge come from an end of q.
+  Ways ways_through(const Piece& q, const Side_line<FT>& side) const
+  {
+    const Part all = {FT(0), side.length};
+    Ways ways;
     if(q.depth <= 0)
     {
-      const Point nearest = {q.nearest(), FT(0)};
-      check_part(p, p.begin, p.end, nearest, q.at(nearest.x), side, ends);
-      return;
+      const FT nearest = q.nearest();
+      (nearest <= q.begin ? ways.through_begin : nearest >= q.end ? ways.through_end : ways.straight) = all;
+      return ways;
     }
     // Positive on the left of the ray through an end of q, negative on its right.
-    const Ends left = {turn(q, begin, side.at(p.begin)), turn(q, begin, side.at(p.end))};
-    const Ends right = {turn(q, end, side.at(p.begin)), turn(q, end, side.at(p.end))};
-    if(left.first > 0 && left.last > 0)
-      return check_part(p, p.begin, p.end, begin, q.at(q.begin), side, ends);
-    if(right.first < 0 && right.last < 0)
-      return check_part(p, p.begin, p.end, end, q.at(q.end), side, ends);
-    FT first = p.begin, last = p.end; // of the visible interval
-    if(left.first > 0 || left.last > 0)
+    const Point begin = {q.begin, FT(0)}, end = {q.end, FT(0)}, first = side.at(FT(0)), last = side.at(side.length);
+    ways.straight = all;
+    divide({turn(q, begin, first), turn(q, begin, last)}, side.length, ways.straight, ways.through_begin);
+    divide({-turn(q, end, first), -turn(q, end, last)}, side.length, ways.straight, ways.through_end);
+    return ways;
+  }
+
+  // Moves the part of a side of this length where a linear function with these values at the ends is positive from the
+  // straight ways to others.
+  static void divide(const Ends& value, const FT& length, Part& straight, Part& others)
+  {
+    if(!(value.first > 0) && !(value.last > 0))
+      return;
+    if(value.first > 0 && value.last > 0)
     {
-      const FT zero = abscissa_of_zero(p, left);
-      (left.first > 0 ? first : last) = zero;
-      check_part(p, left.first > 0 ? p.begin : zero, left.first > 0 ? zero : p.end, begin, q.at(q.begin), side, ends);
+      straight = Part();
+      others = {FT(0), length};
+      return;
     }
-    if(right.first < 0 || right.last < 0)
+    const FT zero = (std::min)((std::max)(FT(length * (value.first / (value.first - value.last))), FT(0)), length);
+    if(value.first > 0)
     {
-      const FT zero = abscissa_of_zero(p, right);
-      FT& limit = right.first < 0 ? first : last;
-      limit = right.first < 0 ? (std::max)(limit, zero) : (std::min)(limit, zero);
-      check_part(p, right.first < 0 ? p.begin : zero, right.first < 0 ? zero : p.end, end, q.at(q.end), side, ends);
+      straight.first = (std::max)(straight.first, zero);
+      others = {FT(0), zero};
     }
-    if(q.is_linear)
-      check_part(p, rays_on_side(q, first, last, side), ends, side.length);
     else
-      check_part(p, first, last, Point{q.x, -q.depth}, q.offset, side, ends);
+    {
+      straight.last = (std::min)(straight.last, zero);
+      others = {zero, length};
+    }
+  }
+
+  // Checks the points of a part of the side against straight ways from the image of q.
+  void check_straight_ways(const Piece& q, const Part& part, const Side_line<FT>& side, const Ends_of_side& ends)
+  {
+    if(q.depth <= 0)
+      return check_ways_through(Point{q.nearest(), FT(0)}, q.at(q.nearest()), part, side, ends);
+    if(!q.is_linear)
+      return check_ways_through(Point{q.x, -q.depth}, q.offset, part, side, ends);
+    for_each_piece(part, [&](const Piece& p, const FT& first, const FT& last)
+    { check_part(p, rays_on_side(q, first, last, side), ends, side.length); });
+  }
+
+  // Checks the points of a part of the side against the distance from a point plus an offset.
+  void check_ways_through(const Point& image, const FT& offset, const Part& part, const Side_line<FT>& side,
+                          const Ends_of_side& ends)
+  {
+    for_each_piece(part, [&](const Piece& p, const FT& first, const FT& last)
+    { check_part(p, first, last, image, offset, side, ends); });
+  }
+
+  // Calls visit(piece, first, last) for the pieces of the side that meet a part, with the interval that they share.
+  template <typename Visit>
+  void for_each_piece(const Part& part, Visit visit) const
+  {
+    const auto ends_before = [](const Piece& p, const FT& t) { return p.end < t; };
+    if(part.first <= part.last)
+      for(auto p = std::lower_bound(m_to.begin(), m_to.end(), part.first, ends_before);
+          p != m_to.end() && p->begin <= part.last; ++p)
+        visit(*p, (std::max)(p->begin, part.first), (std::min)(p->end, part.last));
   }
 
   // Positive if c is on the left of the ray of q through its point b, negative on the right.
@@ -237,14 +313,6 @@ private:
     return {first, last, q.x * side.unit.x + q.depth * side.unit.y,
             FT(abs(q.depth * side.unit.x - q.x * side.unit.y)),
             q.offset + (q.x * side.origin.x + q.depth * side.origin.y), true};
-  }
-
-  // Returns the abscissa in p where a linear function with these values at the ends is 0.
-  // Requires: exactly one of the values is positive, or exactly one is negative.
-  static FT abscissa_of_zero(const Piece& p, const Ends& value)
-  {
-    const FT t = p.begin + (p.end - p.begin) * (value.first / (value.first - value.last));
-    return (std::min)((std::max)(t, p.begin), p.end);
   }
 
   // Checks that the function of p is at most the distance from an image plus an offset, at all abscissas from `first`
