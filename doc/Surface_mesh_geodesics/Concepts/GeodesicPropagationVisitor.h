@@ -33,7 +33,8 @@ public:
   /// is called once, before the propagation starts.
   ///
   /// \param number_of_vertices the number of vertices of the mesh; of a matrix that is stored the number of rows, and of
-  ///        other work that is no propagation the number of its steps
+  ///        other work that is no propagation the number of its steps. There may be more visits, as some vertices
+  ///        are visited again
   void on_propagation_begin(std::size_t number_of_vertices);
 
   /// is called repeatedly: before each visit of a vertex if one thread propagates, less often if several do. Neither of

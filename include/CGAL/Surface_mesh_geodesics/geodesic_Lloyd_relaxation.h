@@ -76,7 +76,7 @@ output of its own; see `geodesic_distances()`.
 The method serves remeshing (thesis, section 5.4.4), see `geodesic_remeshing()`.
 
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`, as for `geodesic_distances()`
-\tparam TriangleMesh a model of `FaceListGraph`; its points are those of a kernel of `double`
+\tparam TriangleMesh a model of `FaceListGraph`; its points are converted to `double`
 \tparam VertexRange a range of vertex descriptors of `TriangleMesh`
 \tparam OutputIterator a model of `OutputIterator` that holds vertex descriptors of `TriangleMesh`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"

@@ -84,6 +84,10 @@ those of `Polyhedron_items_with_id_3`) must be set before, as the first call wou
        `target(next(halfedge(f,tm),tm),tm)`, in this order, for a face `f`. Coordinates up to
        \f$ 64 \epsilon \approx 1.4 \cdot 10^{-14} \f$ count as zero, and their sum as one. So
        a location at a vertex or on an edge may be rounded, and may be given in any face around it.
+       A location is in its face if no coordinate is less than \f$ -\delta \f$, and their sum
+       is one up to \f$ \delta = \sqrt\epsilon / 16 \approx 9.3 \cdot 10^{-10} \f$. For
+       coordinates of type `float`, \f$ \epsilon \f$ is that of `float`, and
+       \f$ \delta \approx 2.2 \cdot 10^{-5} \f$
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
        below
 

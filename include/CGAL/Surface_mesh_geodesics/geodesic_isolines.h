@@ -34,9 +34,10 @@ writes the isolines of given distances from a source, or from the nearest of sev
 
 The lines are those of `Surface_mesh_geodesic_paths::isolines()`: no point comes twice in a row, a closed line ends with
 its first point, and any other one begins and ends at the border. Nearer points are on the left of a line. Its points
-are on edges and exact. Inside a face a chord joins two of them: a chord of length c is nearer than the line by up to
-about c<sup>2</sup> / (8 r), where r is the distance of the line from the vertex at which its paths begin or bend last.
-Where paths from two sides meet in a face, the chord cuts off the corner of the line.
+are on edges and exact: their distances are the value, up to 1024 \f$ \epsilon \f$ of it. Inside a face a chord joins
+two of them: a chord of length c is nearer than the line by up to about c<sup>2</sup> / (8 r), where r is the distance
+of the line from the vertex at which its paths begin or bend last. Where paths from two sides meet in a face, the chord
+cuts off the corner of the line.
 
 That class keeps all windows, so that lines of any distance may be asked for later. Here, the distances are known from
 the start: the lines are found while the wavefront passes, which takes little more memory than `geodesic_distances()`

@@ -199,7 +199,8 @@ neither point is a vertex, the point type of the mesh must be that of a kernel o
 \return the distance in the unit of the points; infinity if no path leads from one point to the other. Between two
         locations, it is rounded to the number type of the points.
 
-\throws Invalid_geodesic_input if the mesh or a point is one that `geodesic_distances()` rejects
+\throws Invalid_geodesic_input if the mesh or a point is one that `geodesic_distances()` rejects. Its message and
+        `element()` do not tell which of both points is at fault
 */
 template <typename TriangleMesh, typename Point1, typename Point2, typename CGAL_NP_TEMPLATE_PARAMETERS>
 double geodesic_distance(const TriangleMesh& tm, const Point1& a, const Point2& b,
@@ -222,8 +223,8 @@ double geodesic_distance(const TriangleMesh& tm, const Point1& a, const Point2& 
 
 writes the points of an exact shortest path from one point of a triangle mesh to another one, and returns its length.
 
-The points are `a`, where the path crosses edges or passes vertices, and `b`. For many paths, use
-`Surface_mesh_geodesic_paths`, which computes once for all paths from its source points.
+The points are `a`, where the path crosses edges or passes vertices, and `b`; a single one if `a` and `b` are one
+point. For many paths, use `Surface_mesh_geodesic_paths`, which computes once for all paths from its source points.
 
 <b>Complexity.</b> The function reads the mesh, propagates from `b` until the distance of `a` is final, and traces the
 path in time linear in the number of its points. A near pair costs little more than reading.
@@ -247,7 +248,8 @@ path in time linear in the number of its points. A near pair costs little more t
 \return the length of the path, rounded to the number type of the points; infinity if there is none. Then nothing is
         written.
 
-\throws Invalid_geodesic_input if the mesh or a point is one that `geodesic_distances()` rejects
+\throws Invalid_geodesic_input if the mesh or a point is one that `geodesic_distances()` rejects. Its message and
+        `element()` do not tell which of both points is at fault
 \throws std::runtime_error if rounding hides the path
 */
 template <typename TriangleMesh, typename Point1, typename Point2, typename OutputIterator,

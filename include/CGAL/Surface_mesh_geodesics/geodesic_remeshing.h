@@ -235,7 +235,7 @@ See `geodesic_Lloyd_relaxation()`.
 output of its own; see `geodesic_distances()`.
 
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`, as for `geodesic_distances()`
-\tparam TriangleMesh a model of `FaceListGraph`; its points are those of a kernel of `double`
+\tparam TriangleMesh a model of `FaceListGraph`; its points are converted to `double`
 \tparam OutputMesh a model of `MutableFaceGraph` with an internal property for `CGAL::vertex_point_t`, whose points are
         constructible from three coordinates of type `double`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"

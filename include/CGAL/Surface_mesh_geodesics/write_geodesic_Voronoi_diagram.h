@@ -60,6 +60,10 @@ calls `write_geodesic_Voronoi_diagram_OBJ()` with the default tolerance,
 
 \param os the stream
 \param diagram the diagram
+
+\return as the function with a tolerance
+
+\throws Invalid_geodesic_input as the function with a tolerance
 */
 template <typename Diagram>
 bool write_geodesic_Voronoi_diagram_OBJ(std::ostream& os, const Diagram& diagram)
@@ -112,6 +116,10 @@ calls `write_geodesic_Voronoi_diagram_PLY()` with the default tolerance,
 
 \param os the stream
 \param diagram the diagram
+
+\return as the function with a tolerance
+
+\throws Invalid_geodesic_input as the function with a tolerance
 */
 template <typename Diagram>
 bool write_geodesic_Voronoi_diagram_PLY(std::ostream& os, const Diagram& diagram)
@@ -160,6 +168,10 @@ calls `write_geodesic_Voronoi_diagram_VTK()` with the default tolerance,
 
 \param os the stream
 \param diagram the diagram
+
+\return as the function with a tolerance
+
+\throws Invalid_geodesic_input as the function with a tolerance
 */
 template <typename Diagram>
 bool write_geodesic_Voronoi_diagram_VTK(std::ostream& os, const Diagram& diagram)
@@ -206,6 +218,10 @@ calls `write_geodesic_Voronoi_diagram()` with the default tolerance,
 
 \param filename the name of the file
 \param diagram the diagram
+
+\return as the function with a tolerance
+
+\throws Invalid_geodesic_input as the function with a tolerance
 */
 template <typename Diagram>
 bool write_geodesic_Voronoi_diagram(const std::string& filename, const Diagram& diagram)
