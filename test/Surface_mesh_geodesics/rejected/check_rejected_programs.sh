@@ -94,6 +94,8 @@ store='store_geodesic_distance_matrix(tm, vertices, vertices, "folder", '
 
 expect '' "${distances}np::targets(vertices).source_offsets(numbers).statistics(&counts).vertex_point_map(tm.points()))"
 
+expect "the concurrency tag is Sequential_tag, Parallel_tag or" "geodesic_distances<int>(tm, distance, vertices)"
+
 # The function does not take the parameter: the message names its tag.
 for call in "${distances}np::covering_radius(1))" "${solver}np::covering_radius(1))" \
   "${certificate}np::covering_radius(1))" "${labels}np::covering_radius(1))"; do

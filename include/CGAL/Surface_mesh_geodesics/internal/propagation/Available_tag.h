@@ -26,6 +26,8 @@ namespace internal {
 template <typename ConcurrencyTag>
 struct Available_tag
 {
+  static_assert(std::is_convertible<ConcurrencyTag, Sequential_tag>::value,
+                "the concurrency tag is Sequential_tag, Parallel_tag or Parallel_if_available_tag");
 #ifdef CGAL_LINKED_WITH_TBB
   using type = std::conditional_t<std::is_convertible<ConcurrencyTag, Parallel_tag>::value, Parallel_tag,
                                   Sequential_tag>;
