@@ -199,6 +199,10 @@ struct Tolerance
   // lateral shift of this size makes them longer only by its square.
   static FT interval() { return 512 * epsilon(); }
 
+  // Relative to the extent of the mesh: how far rounding may move the end of a strip along its edge. Not relative to
+  // that edge, which may be much shorter than the way of the strip.
+  static FT end_of_strip() { return 64 * epsilon(); }
+
   // Relative to the length of an edge: if an image is nearer to its interval, the rounding of the ends of the interval
   // turns its rays by more than their length can tell. Such a window must not be trimmed.
   static FT closeness()

@@ -135,7 +135,8 @@ std::vector<std::uint32_t> curves_at(const Source_curves<FT>& curves, Curve_plac
   if(place.edge != nullptr)
   {
     const bool is_nearer_to_first = place.t < FT(1) / 2;
-    if((is_nearer_to_first ? place.t : FT(1 - place.t)) <= Tolerance<FT>::interval())
+    const FT to_end = place.edge->length * (is_nearer_to_first ? place.t : FT(1 - place.t));
+    if(to_end <= Tolerance<FT>::end_of_strip())
       place.vertex = is_nearer_to_first ? place.edge->first : place.edge->last;
   }
   const bool is_vertex = place.vertex != null_id;
