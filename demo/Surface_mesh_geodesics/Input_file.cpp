@@ -5,6 +5,7 @@
 #include "System.h"
 #include "number_arguments.h"
 
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -53,8 +54,15 @@ std::ifstream opened_text_file(const std::string& file_name)
   std::ifstream is(file_name);
   if(!is)
     reject_file(file_name, "cannot be opened");
-  if(is.peek() == 0xef) // no number and no name begins so: a mark of byte order, of three bytes
-    is.ignore(3);
+  if(is.peek() == 0xef) // perhaps a mark of byte order; only a file that can be read again may have one
+  {
+    std::array<char, 3> mark{};
+    if(!is.read(mark.data(), 3) || mark != std::array<char, 3>{'\xef', '\xbb', '\xbf'})
+    {
+      is.clear();
+      is.seekg(0);
+    }
+  }
   return is;
 }
 
@@ -73,10 +81,15 @@ void check_inputs_are_kept(const Arguments& arguments)
 
 void check_outputs_differ(const Arguments& arguments)
 {
+  const auto path_of = [](const std::string& name)
+  {
+    std::error_code error;
+    return fs::weakly_canonical(fs::absolute(name, error), error);
+  };
   for(const std::string& lines : all_values(arguments, "lines"))
     for(const char* const option : {"output", "html"})
       for(const std::string& name : all_values(arguments, option))
-        if(name == lines)
+        if(name == lines || path_of(name) == path_of(lines))
           throw Command_error(Exit_code::BAD_USAGE, name + ": --lines and --" + option + " name the same file");
 }
 

@@ -58,14 +58,17 @@ private:
   // The lines up to the end of a block: a name may be a keyword.
   void skip_block(std::string_view keyword)
   {
-    const std::string_view end = keyword == "HEADER" ? "}" : "END_ORIGINAL_COORDINATE_SYSTEM";
-    if(keyword == "HEADER" && m_in.word() != "{")
+    const bool is_header = keyword == "HEADER";
+    if(is_header && m_in.peek_word().substr(0, 1) != "{")
       return;
     do
     {
       while(m_in.has_word())
-        if(m_in.word() == end)
+      {
+        const std::string_view word = m_in.word();
+        if(is_header ? word.back() == '}' : word == "END_ORIGINAL_COORDINATE_SYSTEM")
           return;
+      }
       m_in.skip_line();
     }
     while(m_in.find_line());

@@ -41,7 +41,10 @@ cmp check.csv same.csv
 # With blanks around names and numbers, and lines of blanks.
 sed 's/,/ ,\t/g; s/^/ /; $s/$/\n  \t/' distances.csv > blanks.csv
 is_silent check "$grid" --source 0 --distances blanks.csv -o same.csv
-{ printf "\xef\xbb\xbf\"vertex\",\"distance\"\r\n"; tail -n +2 distances.csv | cut -d, -f 1,"$(head -n 1 distances.csv | tr , "\n" | grep -n "^distance$" | cut -d: -f 1)"; } > quoted.csv # as of R or Windows
+cmp check.csv same.csv
+# As R or Windows write it.
+{ printf '\xef\xbb\xbf"vertex","distance"\r\n'; paste -d, <(column distances.csv vertex) <(column distances.csv distance) \
+  | sed 's/^\(.*\),\(.*\)$/"\1",\2\r/'; } > quoted.csv
 is_silent check "$grid" --source 0 --distances quoted.csv -o same.csv
 cmp check.csv same.csv
 

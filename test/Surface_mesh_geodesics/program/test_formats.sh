@@ -60,6 +60,10 @@ same_distances crlf.ts
   ts; echo "VRTX 1 5 0 0"; echo "VRTX 2 7 0 0"; echo "VRTX 3 7 1 0"; echo "TRGL 1 2 3"; echo END; } > objects.ts
 "$program" distances objects.ts --source 3 > objects.csv 2> note
 equals "$(column objects.csv distance | paste -sd ' ')" "inf inf inf 0 2 2.23606797749979"
+for header in "HEADER { name:a}" "HEADER {name:VRTX 1 }" HEADER; do
+  { echo "GOCAD TSurf 1"; echo "$header"; tail -n +6 numbers.ts; } > header.ts
+  same_distances header.ts
+done
 { ts; echo "VRTX 1 0 0 0"; echo "VRTX 1 1 0 0"; } > twice.ts
 rejects 3 "twice.ts, line 7: there are two vertices with the number 1" info twice.ts
 { ts; echo "VRTX 1 0 0 0"; echo "TRGL 1 2 3"; } > missing.ts

@@ -131,8 +131,8 @@ public:
 
   // Adds the paths of a piece, and those that go on from the ends of its interval along the edge: distances from an
   // image at the end itself, at depth 0.
-  // Requires: 0 <= piece.begin and piece.end <= length, unless the interval is empty. Takes time logarithmic in the
-  // number of pieces if the piece or its neighbors cover its ends already, else linear.
+  // Requires: 0 <= piece.begin and piece.end <= length, unless the interval is empty. Takes time linear in the number
+  // of pieces at worst; logarithmic, plus linear in that of pieces in the interval, if the piece is nowhere better.
   //
   // The function grows by no more than the length of the way. So where it is not greater than the piece at its begin,
   // the paths that go on from there are not less anywhere; the same holds at the end.
@@ -140,6 +140,7 @@ public:
   {
     if(!(piece.begin < piece.end))
       return;
+    CGAL_assertion(piece.begin >= 0 && piece.end <= m_length && piece.depth >= 0);
     const FT at_begin = piece.at(piece.begin), at_end = piece.at(piece.end);
     const Piece before = {FT(0), piece.begin, piece.begin, FT(0), at_begin};
     const Piece behind = {piece.end, m_length, piece.end, FT(0), at_end};

@@ -35,7 +35,7 @@
 // piece before is not greater there; so its least value is no greater, unless u jumps. Such a way needs a check of its
 // own only if the piece before is least at its end, or if there is none. The same holds for ends. So each point p is
 // checked against the pieces that see it, and against few ends: nearly linear in the number of pieces, as they see
-// different points. All jumps of an edge together count as one violation.
+// different points. The proof goes along the edge in one direction; all jumps in that direction count as one violation.
 //
 // Steps:
 // - Lower_bound_function makes u on each edge.
@@ -159,12 +159,15 @@ private:
   // Requires: m_from is not empty.
   void check_continuity(const Face_frame<FT>& c)
   {
-    FT jumps = 0;
+    FT up = 0, down = 0, least = (std::min)(m_from.front().at(FT(0)), m_from.back().at(c.length));
     for(std::size_t i = 0; i + 1 < m_from.size(); ++i)
     {
-      jumps += abs_difference(m_from[i].at(m_from[i].end), m_from[i + 1].at(m_from[i].end));
-      record(jumps, m_from[i].at(m_from[i].end), c.origin);
+      const FT before = m_from[i].at(m_from[i].end), behind = m_from[i + 1].at(m_from[i].end);
+      up += (std::max)(FT(behind - before), FT(0));
+      down += (std::max)(FT(before - behind), FT(0));
+      least = (std::min)(least, (std::min)(before, behind));
     }
+    record((std::max)(up, down), least, c.origin);
     record(distance(c.origin) - m_from.front().at(FT(0)), distance(c.origin), c.origin);
     record(distance(c.target) - m_from.back().at(c.length), distance(c.target), c.target);
   }
@@ -179,8 +182,6 @@ private:
     record(d - e - c.length, d, c.origin);
     record(e - d - c.length, e, c.target);
   }
-
-  static FT abs_difference(const FT& a, const FT& b) { return a < b ? FT(b - a) : FT(a - b); }
 
   void record(const FT& excess, const FT& value, Vertex_id v)
   {

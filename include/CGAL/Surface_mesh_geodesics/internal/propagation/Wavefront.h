@@ -206,7 +206,8 @@ public:
   //
   // In exact arithmetic no such vertex exists. In faces thinner than rounding each of two paths may have been pruned
   // because of the other. Only the area reached is searched: with many components all other faces would cost more than
-  // the propagation. What was reached before the last call has been searched, and other vertices than then are reached.
+  // the propagation. Within a run, vertices are appended to those reached. What was there at the last call has been
+  // searched then: it has no new neighbor without a distance, and windows have started there.
   template <typename Push>
   bool start_beside_unreached_vertices(Push push)
   {

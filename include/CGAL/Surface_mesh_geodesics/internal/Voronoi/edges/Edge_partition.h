@@ -38,10 +38,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -107,13 +104,14 @@ public:
   }
 
   // Finds the intervals and breakpoints. Takes time O(n log n) for n images, if few of them share an abscissa; that is
-  // so for windows, as those of one side hardly overlap. Gaps between intervals take further walks, mostly one.
+  // so for windows, as those of one side hardly overlap. Gaps between intervals take further walks, mostly one, and
+  // time quadratic in their number; in general there are few.
   void build()
   {
     const std::size_t number_given = m_images.size();
     m_bends.clear();
     m_number_of_trials = 0;
-    while(!walk()) // has added bends: one for each image, at most
+    while(!walk()) // has added bends, which are finitely many: one for each begin of an interval
     {
       m_images.resize(number_given);
       m_images.insert(m_images.end(), m_bends.begin(), m_bends.end());
@@ -424,8 +422,8 @@ private:
     return best;
   }
 
-  // Adds paths that bend at their begin and lead ahead. They end the ones before, unless those are nearer there: then
-  // these are so from there on, as all lead along the edge.
+  // Adds paths that bend at their begin and lead ahead. They end the ones before, which are not nearer there, and so
+  // are not from there on, as all lead along the edge. (If they were, successor() would have gone over to them.)
   void add_bend_ahead(const Image& bend)
   {
     if(m_bend_ahead < m_images.size() && !(m_images[m_bend_ahead].distance_at(bend.begin) < bend.weight))
@@ -449,7 +447,7 @@ private:
     const bool is_gap = at_x + rounding_of_rays() < m_images[m_current].distance_at(x) * (1 - Tolerance<FT>::tie());
     if(!is_gap || std::any_of(m_bends.begin(), m_bends.end(), is_known))
       return;
-    FT begin = 0; // paths that bend farther ahead and are nearer there are so all the way, along the edge
+    FT begin = 0; // a bend before x that is not farther there is not farther anywhere before it, along the edge
     for(const Image& bend : m_bends)
       if(bend.end < x && !(at_x + (x - bend.end) < bend.weight))
         begin = (std::max)(begin, bend.end);

@@ -14,8 +14,6 @@
 // thousands of windows asks this in each step; a look at all windows would make it quadratic. At a point of the edge
 // few intervals are open, as the windows of one side hardly overlap.
 
-#include <CGAL/assertions.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <vector>
@@ -25,8 +23,8 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 
 // Intervals are given by their index in a range of objects with the members `begin` and `end`. Use: start() with the
-// range; then for ascending x, advance(), for_each_open(), for_each_ahead(). All steps of a sweep together take time
-// O(n log n) for n intervals, plus what the visits take.
+// range; then for ascending x, advance(), open(), for_each_ahead(). A sweep over n intervals takes time O(n log n),
+// plus for each step the number of intervals that are open, and what the visits take.
 //
 // Invariant: open() has the indices of the intervals with begin <= x < end, for the x of the last advance(), and those
 // of intervals that were added since; m_order from m_next on has those of the intervals that begin behind x.
