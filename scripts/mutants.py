@@ -936,7 +936,7 @@ MUTANTS = [
      "check_straight_ways(q, ways.straight, side, ends);", "check_straight_ways(q, Part(), side, ends);",
      "a lower bound may be too large where it is seen", (CERTIFICATE_CHECKS,)),
     ("added_parts_where_not_less", EDGE_FUNCTION,
-     "is_clearly_less<FT>(at_begin, at(piece.begin))", "is_clearly_less<FT>(at(piece.begin), at_begin)",
+     "is_better(at_begin, piece.begin) ? piece.begin : FT(0)", "m_pieces.empty() ? piece.begin : FT(0)",
      "paths from the begin of a window are left out, and the bound is larger than necessary", (CERTIFICATE_CHECKS,)),
     ("lower_bound_one_side", LOWER_BOUND,
      "      check_side(right_side_line(c), {c.target, c.apex});\n", "",

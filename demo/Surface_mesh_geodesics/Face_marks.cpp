@@ -123,25 +123,12 @@ bool cut_into_triangles(Mesh& mesh)
   return true;
 }
 
-std::size_t number_of_faces_of_file(const Mesh& mesh)
+std::vector<Polygon_soup::Index> faces_of_file(const Mesh& mesh)
 {
   const std::pair<Faces_of_file, bool> faces = mesh.property_map<Face, Polygon_soup::Index>(name_of_faces_of_file);
-  std::size_t n = faces.second ? 0 : mesh.number_of_faces();
-  if(faces.second)
-    for(const Face f : mesh.faces())
-      n = (std::max)(n, std::size_t(faces.first[f]) + 1);
-  return n;
-}
-
-std::vector<Face> faces_of_mesh(const Mesh& mesh, const std::vector<std::size_t>& faces_of_file)
-{
-  const std::pair<Faces_of_file, bool> faces = mesh.property_map<Face, Polygon_soup::Index>(name_of_faces_of_file);
-  std::vector<char> is_listed(number_of_faces_of_file(mesh), 0);
-  for(const std::size_t f : faces_of_file)
-    is_listed[f] = 1;
-  std::vector<Face> result;
-  std::copy_if(mesh.faces().begin(), mesh.faces().end(), std::back_inserter(result),
-               [&](Face f) { return is_listed[faces.second ? faces.first[f] : Polygon_soup::Index(f)] != 0; });
+  std::vector<Polygon_soup::Index> result;
+  for(const Face f : mesh.faces())
+    result.push_back(faces.second ? faces.first[f] : Polygon_soup::Index(f));
   return result;
 }
 

@@ -6,7 +6,6 @@
 #include "Polygon_soup.h"
 #include "Program_mesh.h"
 
-#include <cstddef>
 #include <vector>
 
 namespace geodesics_demo {
@@ -34,12 +33,8 @@ void give_marks(const Polygon_soup& soup, Mesh& mesh);
 // Cuts all faces into triangles, which get the marks of their faces. Returns whether CGAL could do it.
 bool cut_into_triangles(Mesh& mesh);
 
-// How many faces the mesh had before they were cut.
-std::size_t number_of_faces_of_file(const Mesh& mesh);
-
-// The triangles of faces, given by their indices before they were cut; in ascending order.
-// Requires: an index is less than number_of_faces_of_file().
-std::vector<Face> faces_of_mesh(const Mesh& mesh, const std::vector<std::size_t>& faces_of_file);
+// For each triangle of the mesh, the index that it, or the face that it is a part of, had before faces were cut.
+std::vector<Polygon_soup::Index> faces_of_file(const Mesh& mesh);
 
 // The marked faces, in ascending order.
 std::vector<Face> marked_faces(const Mesh& mesh);

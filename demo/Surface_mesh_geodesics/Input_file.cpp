@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <ios>
 #include <system_error>
 #include <vector>
 
@@ -54,14 +55,15 @@ std::ifstream opened_text_file(const std::string& file_name)
   std::ifstream is(file_name);
   if(!is)
     reject_file(file_name, "cannot be opened");
-  if(is.peek() == 0xef) // perhaps a mark of byte order; only a file that can be read again may have one
+  if(is.peek() == 0xef) // perhaps a mark of byte order, of three bytes
   {
     std::array<char, 3> mark{};
-    if(!is.read(mark.data(), 3) || mark != std::array<char, 3>{'\xef', '\xbb', '\xbf'})
-    {
-      is.clear();
-      is.seekg(0);
-    }
+    is.read(mark.data(), 3);
+    std::streamsize n = is.gcount();
+    is.clear();
+    if(mark != std::array<char, 3>{'\xef', '\xbb', '\xbf'})
+      for(; n > 0; --n)
+        is.unget();
   }
   return is;
 }

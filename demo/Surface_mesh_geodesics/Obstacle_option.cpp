@@ -96,15 +96,16 @@ std::vector<Face> avoided_faces(const Arguments& arguments, const Mesh& mesh)
   if(!has(arguments, "avoid") || has_file_of_marks(arguments))
     return faces;
   const std::string& file_name = arguments["avoid"].as<std::string>();
-  const std::size_t end = number_of_faces_of_file(mesh);
-  std::vector<std::size_t> listed;
+  const std::vector<Polygon_soup::Index> face_of_file = faces_of_file(mesh);
+  const std::size_t end = *std::max_element(face_of_file.begin(), face_of_file.end()) + std::size_t(1);
+  std::vector<char> is_listed(end, 0);
   for_each_line(file_name, [&](const std::vector<std::string>& words, std::size_t number)
   {
     for(const std::string& word : words)
-      listed.push_back(index_of(word, end, "face", counted_faces(end), file_name, number));
+      is_listed[index_of(word, end, "face", counted_faces(end), file_name, number)] = 1;
   });
-  const std::vector<Face> triangles = faces_of_mesh(mesh, listed);
-  faces.insert(faces.end(), triangles.begin(), triangles.end());
+  std::copy_if(mesh.faces().begin(), mesh.faces().end(), std::back_inserter(faces),
+               [&](Face f) { return is_listed[face_of_file[f.idx()]] != 0; });
   return faces;
 }
 

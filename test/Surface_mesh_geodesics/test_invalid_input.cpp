@@ -406,7 +406,7 @@ void invalid_offsets_are_rejected()
   });
 }
 
-// Distances with an offset that is a bit smaller than the largest valid one differ from it by those without, rounded.
+// A large offset that is valid costs digits, but not time.
 void large_offsets_cost_digits_only()
 {
   const Mesh tm = to_face_graph(icosphere(2));

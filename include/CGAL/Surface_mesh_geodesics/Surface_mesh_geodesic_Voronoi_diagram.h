@@ -82,8 +82,8 @@ run from curves keeps all windows, and one thread divides the faces, whatever th
 <b>Weights.</b> A site may have a weight \f$ w \f$, which is subtracted from geodesic distances: the distance of a point
 from the site is the geodesic distance minus \f$ w \f$, as in `Apollonius_graph_2`. A site in the cell of another site
 has an empty cell. Distances are propagated with the differences from the largest weight, and are exact relative to
-these: a very large weight in one component costs digits in the others. A difference must not
-be more than about \f$ 10^{12} \f$ times the extent of the mesh.
+these: a very large weight in one component costs digits in the others. A difference must not be more than about
+\f$ 10^{12} \f$ times the extent of the mesh.
 
 <b>Ties.</b> Of several sites at one point with the same weight, the first one owns the cell, and the cells of the
 others are empty. The same may happen to two sites whose distance, plus the difference of their weights, is less than

@@ -54,8 +54,8 @@ by at most \f$ (2 m + 3) \delta \f$, relative to the sum of the distance and the
 
 <b>Complexity.</b> Takes the time and the memory of a propagation that keeps its windows. In addition it takes time at
 most quadratic in the number of windows of an edge, for each edge, and linear in the number of faces that a path
-crosses, for each vertex. With curves, each of the propagations in reverse keeps its
-windows, too, and goes on to the end.
+crosses, for each vertex. With curves, each of the propagations in reverse keeps its windows, too, and goes on to the
+end.
 
 <b>Parallelism.</b> With `Parallel_tag`, threads share the checks of paths and of lower bounds, which take most of the
 time; the propagations and the reading of the mesh and the maps stay in the calling thread, which alone calls the

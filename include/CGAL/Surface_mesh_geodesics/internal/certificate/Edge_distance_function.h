@@ -140,20 +140,13 @@ public:
   {
     if(!(piece.begin < piece.end))
       return;
-    CGAL_assertion(piece.begin >= 0 && piece.end <= m_length && piece.depth >= 0);
+    CGAL_assertion(piece.begin >= 0 && piece.end <= m_length);
+    const auto is_better = [&](const FT& value, const FT& t)
+    { return m_pieces.empty() || is_clearly_less<FT>(value, piece_at(t)->at(t)); };
     const FT at_begin = piece.at(piece.begin), at_end = piece.at(piece.end);
-    const Piece before = {FT(0), piece.begin, piece.begin, FT(0), at_begin};
-    const Piece behind = {piece.end, m_length, piece.end, FT(0), at_end};
-    if(m_pieces.empty())
-      return add(piece, before, behind);
-    const bool is_before_better = is_clearly_less<FT>(at_begin, at(piece.begin));
-    const bool is_behind_better = is_clearly_less<FT>(at_end, at(piece.end));
-    add_part(piece);
-    if(is_before_better)
-      add_part(before);
-    if(is_behind_better)
-      add_part(behind);
-    CGAL_expensive_assertion(do_pieces_cover_edge());
+    // (A part without length adds nothing.)
+    add(piece, {FT(0), is_better(at_begin, piece.begin) ? piece.begin : FT(0), piece.begin, FT(0), at_begin},
+        {is_better(at_end, piece.end) ? piece.end : m_length, m_length, piece.end, FT(0), at_end});
   }
 
   // Adds the paths of a piece, and other paths to the points before and behind its interval: [0, before.end] and
@@ -203,15 +196,12 @@ private:
       pieces.push_back(part);
   }
 
-  // Returns an iterator to the piece with an abscissa; of two pieces that meet there, the first one.
+  // Returns an iterator to the piece with an abscissa of the edge; of two pieces that meet there, the first one.
   typename std::vector<Piece>::iterator piece_at(const FT& t)
   {
     return std::lower_bound(m_pieces.begin(), m_pieces.end(), t,
                             [](const Piece& p, const FT& abscissa) { return p.end < abscissa; });
   }
-
-  // The function at an abscissa. Requires: there are pieces, and the abscissa is one of the edge.
-  FT at(const FT& t) { return piece_at(t)->at(t); }
 
   // Takes the minimum with a part of the function. Does nothing if the part is not clearly better anywhere.
   void add_part(const Piece& part)

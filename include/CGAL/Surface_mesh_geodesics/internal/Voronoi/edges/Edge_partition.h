@@ -422,12 +422,15 @@ private:
     return best;
   }
 
-  // Adds paths that bend at their begin and lead ahead. They end the ones before, which are not nearer there, and so
-  // are not from there on, as all lead along the edge. (If they were, successor() would have gone over to them.)
+  // Adds paths that bend at their begin and lead ahead. They end the ones before, which are not nearer there, as
+  // successor() would have gone over to them, and so are not from there on: all lead along the edge.
   void add_bend_ahead(const Image& bend)
   {
-    if(m_bend_ahead < m_images.size() && !(m_images[m_bend_ahead].distance_at(bend.begin) < bend.weight))
+    if(m_bend_ahead < m_images.size())
+    {
+      CGAL_expensive_assertion(!(m_images[m_bend_ahead].distance_at(bend.begin) < bend.weight));
       m_images[m_bend_ahead].end = bend.begin;
+    }
     m_bend_ahead = m_images.size();
     m_sweep.add_open(m_bend_ahead);
     m_images.push_back(bend);
