@@ -245,10 +245,57 @@ void a_polyhedron_is_accepted()
   CHECK_EQUAL(distance[sites[0]], 0.);
 }
 
+// The unit of a mesh has no meaning: weights of the size of a large mesh are as good as small ones.
+void weights_have_the_unit_of_the_mesh()
+{
+  for(const double size : {1e-13, 1., 1e13, 1e40})
+  {
+    Mesh mesh;
+    const std::vector<vertex_descriptor> sites{mesh.add_vertex(Kernel::Point_3(0, 0, 0)),
+                                               mesh.add_vertex(Kernel::Point_3(size, 0, 0))};
+    const vertex_descriptor last = mesh.add_vertex(Kernel::Point_3(0, size, 0));
+    mesh.add_face(sites[0], sites[1], last);
+    const Maps maps(mesh);
+    CHECK(Geodesics::geodesic_Voronoi_labels(
+      mesh, maps.site, sites,
+      CGAL::parameters::site_weights(std::vector<double>{0., .2 * size}).vertex_distance_map(maps.distance)));
+    CHECK_EQUAL(maps.site[last], 0u);
+    CHECK_CLOSE(maps.distance[sites[1]], -.2 * size, 1e-14);
+  }
+}
+
+// Paths along a zigzag bend at every other vertex. All labels together take linear time all the same; with a search
+// along each path, this would take minutes.
+void labels_behind_many_bends()
+{
+  const std::size_t n = 200000;
+  Mesh mesh;
+  std::vector<vertex_descriptor> low, high;
+  for(std::size_t i = 0; i <= n; ++i)
+  {
+    const double x = static_cast<double>(i), y = i % 2 == 0 ? 0. : 3.;
+    low.push_back(mesh.add_vertex(Kernel::Point_3(x, y - .3, 0)));
+    high.push_back(mesh.add_vertex(Kernel::Point_3(x, y + .3, 0)));
+  }
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    mesh.add_face(low[i], low[i + 1], high[i + 1]);
+    mesh.add_face(low[i], high[i + 1], high[i]);
+  }
+  const Maps maps(mesh);
+  CHECK(Geodesics::geodesic_Voronoi_labels(mesh, maps.site, std::vector<vertex_descriptor>{low.front(), low.back()},
+                                           CGAL::parameters::vertex_distance_map(maps.distance)));
+  for(std::size_t i = 0; i <= n; ++i)
+    if(2 * i != n)
+      CHECK_EQUAL(maps.site[high[i]], std::size_t(2 * i > n));
+}
+
 } // namespace
 
 int main()
 {
+  weights_have_the_unit_of_the_mesh();
+  labels_behind_many_bends();
   const std::uint64_t seed = test_support::announce_seed(20261123);
   labels_are_those_of_diagrams(seed);
   ties_are_those_of_diagrams();

@@ -276,10 +276,39 @@ void test_hostile_meshes()
   CHECK(number > 3000);
 }
 
+// From a point in a face along its first halfedge: rounding makes directions slightly negative, which are 0 then, not
+// a full turn.
+void test_directions_next_to_a_full_turn()
+{
+  test_support::Random random(20261130);
+  std::size_t zeros = 0;
+  for(std::size_t i = 0; i < 100; ++i)
+  {
+    Mesh tm;
+    const auto f = tm.add_face(
+      tm.add_vertex(Kernel::Point_3(0, 0, 0)),
+      tm.add_vertex(Kernel::Point_3(random.uniform(1., 2.), random.uniform(-.5, .5), random.uniform())),
+      tm.add_vertex(Kernel::Point_3(random.uniform(), random.uniform(.2, 1.2), random.uniform())));
+    Paths paths(tm);
+    const double a = random.uniform(.1, .6), b = random.uniform(.1, .3);
+    paths.add_source_point(f, {1 - a - b, a, b});
+    for(std::size_t k = 1; k < 40; ++k)
+    {
+      const double way = (1 - a - b) * static_cast<double>(k) / 40;
+      const double direction = paths.direction_at_source(f, {1 - a - b - way, a + way, b});
+      CHECK(direction >= 0 && direction < 2 * pi);
+      CHECK_NEAR(std::sin(direction), 0., 1e-12);
+      zeros += direction == 0;
+    }
+  }
+  CHECK(zeros > 500);
+}
+
 } // namespace
 
 int main()
 {
+  test_directions_next_to_a_full_turn();
   test_plane();
   test_cone();
   test_several_sources();

@@ -338,10 +338,61 @@ void bumpy_spheres()
   CHECK(alone > 3000 && together > 300);
 }
 
+// Two sites at one point up to rounding have one cell. Queries at it name both.
+void points_that_tie()
+{
+  Mesh tm;
+  const vertex_descriptor v = tm.add_vertex(Point(0, 0, 0));
+  const face_descriptor f = tm.add_face(v, tm.add_vertex(Point(1, 0, 0)), tm.add_vertex(Point(.4, 1, 0)));
+  Location beside(f, {2e-14, 2e-14, 2e-14});
+  auto h = halfedge(f, tm);
+  for(std::size_t k = 0; k < 3; ++k, h = next(h, tm))
+    if(source(h, tm) == v)
+      beside.second[k] = 1 - 4e-14;
+  for(const double weight : {0., -1e-3})
+  {
+    Voronoi diagram(tm);
+    diagram.add_site(v);
+    diagram.add_site(beside, weight);
+    CHECK(diagram.is_empty(1));
+    const Sites expected = weight < 0 ? Sites{0} : Sites{0, 1};
+    CHECK(sites_at(diagram, v) == expected);
+    CHECK(sites_at(diagram, beside) == expected);
+    CHECK(sites_at(diagram, Location(f, {.4, .3, .3})) == expected);
+  }
+}
+
+// In a component much smaller than the mesh, a point of a curve far from its ends is not taken for an end.
+void curves_in_small_component()
+{
+  for(const double size : {1., 1e-12, 1e-14, 1e-30})
+  {
+    const test_support::Scope scope("size " + std::to_string(std::log10(size)));
+    Mesh tm;
+    const vertex_descriptor o = tm.add_vertex(Point(0, 0, 0)), x = tm.add_vertex(Point(2 * size, 0, 0));
+    const vertex_descriptor y = tm.add_vertex(Point(0, 2 * size, 0)), z = tm.add_vertex(Point(2 * size, 2 * size, 0));
+    const face_descriptor f = tm.add_face(o, x, z);
+    tm.add_face(o, z, y);
+    tm.add_face(tm.add_vertex(Point(-1, 0, 0)), tm.add_vertex(Point(-2, 0, 0)), tm.add_vertex(Point(-1, -1, 0)));
+    Voronoi diagram(tm);
+    diagram.add_site(Curve(tm, std::vector<vertex_descriptor>{o, x}));
+    diagram.add_site(Curve(tm, std::vector<vertex_descriptor>{o, y}));
+    Location l(f, {.025, .025, .025});
+    auto h = halfedge(f, tm);
+    for(std::size_t k = 0; k < 3; ++k, h = next(h, tm))
+      if(source(h, tm) == o)
+        l.second[k] = .95;
+    CHECK(sites_at(diagram, l) == Sites{0});
+    CHECK(sites_at(diagram, o) == (Sites{0, 1}));
+  }
+}
+
 } // namespace
 
 int main()
 {
+  points_that_tie();
+  curves_in_small_component();
   curves_in_the_plane();
   ties_in_the_plane();
   corner_between_short_edges();

@@ -431,10 +431,75 @@ void test_invalid_input()
   CHECK(throws<Invalid>([&] { trace_geodesic_from_edge_lengths(tm, lengths, good, 0., 1.); }));
 }
 
+// At the border, the directions of the first and of the last neighbor lead along it, also where a thousand angles have
+// been summed up from the other end.
+void test_border_of_large_fans()
+{
+  test_support::Random random(20261129);
+  for(const std::size_t n : {3u, 300u, 3000u})
+    for(std::size_t k = 0; k < 10; ++k)
+    {
+      const test_support::Scope scope("fan of " + std::to_string(n) + " faces, " + std::to_string(k));
+      std::vector<double> angle(1, 0.);
+      while(angle.size() <= n)
+        angle.push_back(angle.back() + random.uniform(.2, 1.2));
+      const double factor = random.uniform(1., 5.5) / angle.back();
+      Mesh tm;
+      const vertex_descriptor apex = tm.add_vertex(Kernel::Point_3(0, 0, 0));
+      std::vector<vertex_descriptor> rim;
+      for(const double a : angle)
+      {
+        const double r = random.uniform(1., 1.3);
+        rim.push_back(tm.add_vertex(
+          Kernel::Point_3(r * std::cos(factor * a), r * std::sin(factor * a), random.uniform(0., .3))));
+      }
+      double total = 0;
+      for(std::size_t i = 0; i < n; ++i)
+      {
+        tm.add_face(apex, rim[i], rim[i + 1]);
+        const auto u = tm.point(rim[i]) - CGAL::ORIGIN, w = tm.point(rim[i + 1]) - CGAL::ORIGIN;
+        total += std::atan2(std::sqrt(CGAL::cross_product(u, w).squared_length()), u * w);
+      }
+      // The sum from the other end, and what rounding may make of it.
+      for(const double direction : {total, total * (1 + 1e-16 * static_cast<double>(n)), -1e-16 * static_cast<double>(n)})
+      {
+        const Traced t = trace_geodesic(tm, apex, direction, .5);
+        CHECK(t.end == Traced::AT_LENGTH);
+        CHECK_CLOSE(t.length, .5, 1e-14);
+      }
+    }
+}
+
+// An edge without faces may be linked into the border beside a vertex.
+void test_vertex_with_edge_without_faces()
+{
+  Mesh tm;
+  const vertex_descriptor p = tm.add_vertex(Kernel::Point_3(0, 0, 0)), x = tm.add_vertex(Kernel::Point_3(-1, 0, 0));
+  tm.add_face(p, tm.add_vertex(Kernel::Point_3(1, 0, 0)), tm.add_vertex(Kernel::Point_3(.4, 1, 0)));
+  Mesh::Halfedge_index into;
+  for(const auto h : tm.halfedges())
+    if(tm.is_border(h) && tm.target(h) == p)
+      into = h;
+  const auto out = tm.next(into), away = tm.add_edge(p, x), back = tm.opposite(away);
+  for(const auto h : {away, back})
+    tm.set_face(h, Mesh::null_face());
+  tm.set_next(into, away);
+  tm.set_next(away, back);
+  tm.set_next(back, out);
+  tm.set_halfedge(x, away);
+  for(const auto h : {into, back})
+  {
+    tm.set_halfedge(p, h);
+    CHECK_CLOSE(trace_geodesic(tm, p, .3, .2).length, .2, 1e-14);
+  }
+}
+
 } // namespace
 
 int main()
 {
+  test_border_of_large_fans();
+  test_vertex_with_edge_without_faces();
   test_plane();
   test_cones();
   test_cube();

@@ -506,10 +506,11 @@ public:
   /// \name Statistics
   /// @{
 
-  /// returns what the last propagation that counts did; zeros if there was none since construction or `clear()`. A
-  /// propagation that computes distances counts if it is complete and if a visitor cancels it. One that only adds the
-  /// second stage counts if it is complete. One that an exception ends does not count. Takes constant time. Waits while
-  /// a query in another thread computes. Must not run during a build function.
+  /// returns what the last propagation that counts did; zeros if there was none since construction, or since the last
+  /// call of `clear()`, `avoid_faces()` or `avoid_edges()`. A propagation that computes distances counts if it is
+  /// complete and if a visitor cancels it. One that only adds the second stage counts if it is complete. One that an
+  /// exception ends does not count. Takes constant time. Waits while a query in another thread computes. Must not run
+  /// during a build function.
   Surface_mesh_geodesics::Propagation_statistics statistics() const { return m_structure.statistics(); }
 
   /// @}

@@ -34,6 +34,7 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <type_traits>
 #include <utility>
@@ -178,11 +179,17 @@ public:
   // is a vertex of the mesh (not checked).
   std::size_t nearest_source(vertex_descriptor v) const
   {
-    const Vertex_id i = nearest_copy(v);
-    if(!(distance_of(i) < Vertex_distance_field<FT>::infinity()))
-      return no_source;
-    return m_curve_run ? m_curve_run->foot(i).curve : m_numbers.number_at(m_runner.source_of(i));
+    return nearest_source(v, [this](Vertex_id i) { return field().source_of(i); });
   }
+
+  // The same for many vertices, which take linear time together: all calls get one object from sources_of_vertices().
+  std::size_t nearest_source(vertex_descriptor v, Sources_of_vertices<FT>& source_of) const
+  {
+    return nearest_source(v, std::ref(source_of));
+  }
+
+  // The object is valid until the next run.
+  Sources_of_vertices<FT> sources_of_vertices() const { return Sources_of_vertices<FT>(field()); }
 
   // The curves are no part of the mesh any more, but their numbers and parameters are kept with the result.
   // Returns the foot of the shortest path to v. Requires: the last run was one from curves, and v is reached.
@@ -223,6 +230,18 @@ private:
 
   // The distance of a vertex of the intrinsic mesh, in its unit, after the last run of either kind. Before the first
   // run and after one that failed no vertex is reached.
+  const Vertex_distance_field<FT>& field() const { return m_curve_run ? m_curve_run->field() : m_runner.field(); }
+
+  template <typename SourceOf>
+  std::size_t nearest_source(vertex_descriptor v, SourceOf source_of) const
+  {
+    const Vertex_id i = nearest_copy(v);
+    if(!(distance_of(i) < Vertex_distance_field<FT>::infinity()))
+      return no_source;
+    const Vertex_id source = source_of(i);
+    return m_curve_run ? m_curve_run->foot(source).curve : m_numbers.number_at(source);
+  }
+
   FT distance_of(Vertex_id v) const { return m_curve_run ? m_curve_run->distance(v) : m_runner.distance(v); }
 
   // What runs of both kinds have in common: limits, the visitor, the statistics, and what happens if something throws.

@@ -229,7 +229,7 @@ public:
   }
 
   // Returns the halfedge of the intrinsic mesh, as it was read, from which directions at a vertex of the user count: it
-  // is opposite(halfedge(v, tm), tm). Returns null_id if that one has no face.
+  // is opposite(halfedge(v, tm), tm). Returns null_id if that one has no face, or one that was not read.
   Halfedge_id halfedge_of_frame(Vertex_id v) const
   {
     const halfedge_descriptor into = halfedge(descriptor(v), m_tm);
@@ -238,6 +238,8 @@ public:
       return null_id;
     const face_descriptor f = face(h, m_tm);
     Halfedge_id result = first_halfedge(f);
+    if(result == null_id) // a face to avoid
+      return null_id;
     for(halfedge_descriptor g = halfedge(f, m_tm); g != h; g = next(g, m_tm))
       result = next_halfedge(result);
     return result;

@@ -18,6 +18,7 @@
 // this order. A position t on a halfedge is 0 at its source and 1 at its target. The null location has the null face.
 
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/halfedge_in_face.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/cgal_compatibility.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
@@ -107,26 +108,11 @@ struct Surface_locations
 
   // --- locations ---
 
-  // Returns a halfedge with a face and the target v; the null halfedge if v has no face in the umbrella of halfedge(v).
-  // Complexity: linear in the degree of v.
-  static halfedge_descriptor halfedge_in_face(vertex_descriptor v, const Triangle_mesh& tm)
-  {
-    const halfedge_descriptor first = halfedge(v, tm);
-    halfedge_descriptor h = first;
-    while(h != Graph_traits::null_halfedge() && is_border(h, tm))
-    {
-      h = opposite(next(h, tm), tm);
-      if(h == first) // the edges around v have no face on either side
-        return Graph_traits::null_halfedge();
-    }
-    return h;
-  }
-
   // Returns the location of a vertex in one of its faces; the null location if it has none. Its coordinate is an exact
   // 1, so snapping finds the vertex again.
   static Face_location location(vertex_descriptor v, const Triangle_mesh& tm, const Traits& traits)
   {
-    const halfedge_descriptor h = halfedge_in_face(v, tm);
+    const halfedge_descriptor h = internal::halfedge_in_face(v, tm);
     return h == Graph_traits::null_halfedge() ? null_location(traits)
                                               : location_in_face(next(h, tm), FT(0), tm, traits);
   }

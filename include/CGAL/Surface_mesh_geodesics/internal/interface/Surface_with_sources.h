@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Intrinsic_surface.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/full_turns.h>
 #include <CGAL/Surface_mesh_geodesics/internal/paths/Departure.h>
 #include <CGAL/Surface_mesh_geodesics/internal/paths/Path_thinning.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
@@ -216,7 +217,7 @@ public:
     // been removed or are avoided, and between walls.
     if(!a.is_closed)
       a = angle_around(mesh(), d, [](Halfedge_id) { return false; });
-    return {a.is_closed && a.total > 0 ? a.angle / a.total * full_circle() : a.angle, !a.is_closed};
+    return {a.is_closed && a.total > 0 ? a.angle / a.total * full_turn : a.angle, !a.is_closed};
   }
 
   // Returns the direction of a departure from a source in the face f of the user, or on an edge of it: the angle from
@@ -361,8 +362,6 @@ private:
     m_surface.divide_at_walls(result);
     return result;
   }
-
-  static constexpr double full_circle() { return 6.283185307179586; }
 
   // Returns the vertex at corner k of a face of the mesh as it was before sources were inserted. After insertions, f is
   // the number of one of the parts of that face, whose corners may be others.

@@ -59,13 +59,14 @@ void write_distances(const TriangleMesh& tm, const Solver& solver, VertexDistanc
     put(distance_map, v, static_cast<Value>(solver.distance(v)));
 }
 
-// Writes the numbers of the nearest sources to a map of the user; the largest std::size_t where no source reaches. The
-// overload below is chosen if the options have no map.
+// Writes the numbers of the nearest sources to a map of the user; the largest std::size_t where no source reaches. Takes
+// linear time. The overload below is chosen if the options have no map.
 template <typename TriangleMesh, typename Solver, typename NearestSourceMap>
 void write_nearest_sources(const TriangleMesh& tm, const Solver& solver, NearestSourceMap map)
 {
+  auto source_of = solver.sources_of_vertices();
   for(const auto v : vertices(tm))
-    put(map, v, solver.nearest_source(v));
+    put(map, v, solver.nearest_source(v, source_of));
 }
 
 template <typename TriangleMesh, typename Solver>

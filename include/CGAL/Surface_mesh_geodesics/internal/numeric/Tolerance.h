@@ -199,7 +199,7 @@ struct Tolerance
   // lateral shift of this size makes them longer only by its square.
   static FT interval() { return 512 * epsilon(); }
 
-  // Relative to the extent of the mesh: how far rounding may move the end of a strip along its edge. Not relative to
+  // Relative to the extent of a component: how far rounding may move the end of a strip along its edge. Not relative to
   // that edge, which may be much shorter than the way of the strip.
   static FT end_of_strip() { return 64 * epsilon(); }
 

@@ -87,8 +87,8 @@ public:
     return m_field.distance[v] <= m_limit ? m_field.distance[v] : Field::infinity();
   }
 
-  // Returns the vertex of the source from which the distance of v is measured. Requires: v has been reached.
-  Vertex_id source_of(Vertex_id v) const { return m_field.source_of(v); }
+  // Tells from which source the distance of a vertex is measured, if the vertex has been reached.
+  const Field& field() const { return m_field; }
 
   // Returns all vertices that the last run touched, each once; those of sources in faces are among them. Some may have
   // distances that are not final: distance() is infinite for these.

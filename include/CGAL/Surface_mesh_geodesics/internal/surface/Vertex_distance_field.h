@@ -136,6 +136,36 @@ struct Vertex_distance_field
   }
 };
 
+// The same as source_of(), for many vertices of one field: remembers what it has found, so that all vertices together
+// take linear time. Many paths bend at the same vertices, so that following each of them may take quadratic time.
+template <typename FT>
+class Sources_of_vertices
+{
+public:
+  // The field must outlive this object and not change.
+  explicit Sources_of_vertices(const Vertex_distance_field<FT>& field)
+    : m_field(field), m_source(field.distance.size(), null_id)
+  {}
+
+  // Returns the source of v; null_id if v is not reached. All vertices on the way get the same one.
+  Vertex_id operator()(Vertex_id v)
+  {
+    Vertex_id last = v;
+    while(m_source[last] == null_id && root(last) != null_id && root(last) != last)
+      last = root(last);
+    const Vertex_id source = m_source[last] == null_id ? root(last) : m_source[last];
+    for(m_source[last] = source; v != last; v = root(v))
+      m_source[v] = source;
+    return source;
+  }
+
+private:
+  Vertex_id root(Vertex_id v) const { return m_field.arrival[v].root; }
+
+  const Vertex_distance_field<FT>& m_field;
+  std::vector<Vertex_id> m_source; // by vertex, null_id as long as it is unknown
+};
+
 } // namespace internal
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL

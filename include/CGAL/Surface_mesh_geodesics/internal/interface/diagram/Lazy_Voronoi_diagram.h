@@ -366,7 +366,7 @@ public:
     if(m_solver.has_curves())
       return sites_at_end_of_path(m_solver, m_solver.arrival(m_solver.nearest_side(query(place...))));
     const std::size_t site = nearest_site(place...);
-    return site == no_site ? std::vector<std::size_t>() : m_solver.sources().sources_at_point_of(site);
+    return site == no_site ? std::vector<std::size_t>() : sites_at_point_of(m_solver, site);
   }
 
   // Returns the distance of a place to the nearest site, less its weight; -1 if no site reaches it. A location that is

@@ -74,8 +74,8 @@ public:
   {
     for(const double w : weights)
       m_sites.add({false, No_place(), No_place(), w});
-    const double unit_of_user = 1; // the solver checks the offsets in the unit of the mesh
-    m_sites.for_each_offset(unit_of_user, [this](const auto&, double offset) { m_offsets.push_back(offset); });
+    const double no_limit = std::numeric_limits<double>::infinity(); // the solver has one, in the unit of the mesh
+    m_sites.for_each_offset(no_limit, [this](const auto&, double offset) { m_offsets.push_back(offset); });
   }
 
   const std::vector<double>& offsets() const { return m_offsets; }

@@ -26,6 +26,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/surface/sources/equal_sources.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/strips/Curve_arrivals.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -112,6 +113,22 @@ bool propagate_diagram(Solver& solver, Voronoi_complex<double>& complex, double 
   return true;
 }
 
+// Returns the sites at the point of site i that have its weight, i among them, in ascending order. Sites that tie
+// everywhere count as being at one point. Linear in the number of faces around the sites. Requires: all sites are
+// points, and are inserted.
+template <typename Solver>
+std::vector<std::size_t> sites_at_point_of(const Solver& solver, std::size_t i)
+{
+  const std::vector<Vertex_id> own = solver.sources().vertices_of(i);
+  std::vector<Vertex_id> at = own;
+  for_each_equal_site(solver, [&](Vertex_id v, Vertex_id u)
+  {
+    if(std::find(own.begin(), own.end(), u) != own.end())
+      at.push_back(v);
+  });
+  return solver.sources().sources_at(at, solver.sources().offset(i));
+}
+
 // Returns the sites that have the point where a path ends, with the weight that counts there, in ascending order:
 // several if curves have a common end or a common edge, none if there is no path. Requires: there are curves among the
 // sites.
@@ -120,7 +137,11 @@ std::vector<std::size_t> sites_at_end_of_path(const Solver& solver, const typena
 {
   if(!a.is_reached())
     return {};
-  const std::vector<std::uint32_t> numbers = curves_at(solver.curve_arrivals().curves, solver.curve_place(a));
+  const auto place = solver.curve_place(a);
+  double extent = 1; // not needed at a vertex
+  if(place.edge != nullptr)
+    extent = solver.mesh().extent_around(face_of((std::min)(place.edge->left, place.edge->right)));
+  const std::vector<std::uint32_t> numbers = curves_at(solver.curve_arrivals().curves, place, extent);
   return std::vector<std::size_t>(numbers.begin(), numbers.end());
 }
 

@@ -20,6 +20,7 @@
 // The functions only read the solver, so several threads may call them at once, as they may ask for paths.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/full_turns.h>
 #include <CGAL/Surface_mesh_geodesics/internal/paths/Departure.h>
 #include <CGAL/Surface_mesh_geodesics/internal/paths/Ray_sectors.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
@@ -37,18 +38,10 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// Returns the angle in [0, 2 pi) of the same direction.
-inline double in_full_circle(double direction)
-{
-  constexpr double full_circle = 6.283185307179586;
-  const double d = std::remainder(direction, full_circle);
-  return d < 0 ? d + full_circle : d;
-}
-
 // Returns a direction as users get it.
 inline double direction_for_user(const Direction_at_source& d)
 {
-  return d.is_at_border ? (std::max)(d.angle, 0.) : in_full_circle(d.angle);
+  return d.is_at_border ? (std::max)(d.angle, 0.) : reduced_angle(d.angle, full_turn);
 }
 
 // Returns the direction of the path to a point; not a number if no source reaches it, or if there are curves among the

@@ -143,11 +143,14 @@ public:
 
   // Returns the number of the source from which the distance of v is measured, or the largest std::size_t where no
   // source reaches within the maximum distance. Of several sources at one point with one offset, the first one counts.
-  // Takes time linear in the number of vertices where the path bends.
-  std::size_t nearest_source(vertex_descriptor v) const
+  // All vertices together take linear time: all calls get one object from sources_of_vertices().
+  std::size_t nearest_source(vertex_descriptor v, Sources_of_vertices<double>& source_of) const
   {
-    return distance(v) < Field::infinity() ? m_sources.number(m_field, nearest_copy(v)) : Source_numbers::none;
+    return distance(v) < Field::infinity() ? m_sources.number(m_field, source_of(nearest_copy(v)))
+                                           : Source_numbers::none;
   }
+
+  Sources_of_vertices<double> sources_of_vertices() const { return Sources_of_vertices<double>(m_field); }
 
 private:
   using Field = Vertex_distance_field<double>;

@@ -78,12 +78,9 @@ public:
 
   void finish(const Propagation&) {}
 
-  // Returns the number of the source from which the distance of a vertex of the refined mesh is measured. Requires: v
-  // is reached. Takes time linear in the number of vertices where the path bends.
-  std::size_t number(const Vertex_distance_field<double>& field, Vertex_id v) const
-  {
-    return m_numbers.number_at(field.source_of(v));
-  }
+  // Returns the number of the source with which paths begin whose first vertex is v (Vertex_distance_field::
+  // source_of()).
+  std::size_t number(const Vertex_distance_field<double>&, Vertex_id v) const { return m_numbers.number_at(v); }
 
 private:
   Source_set<double> m_set; // all of them are vertices
@@ -119,7 +116,7 @@ public:
   // Notes the feet of paths: they are known as long as the propagation is there.
   void finish(const Propagation& propagation) { m_foot = propagation.strips().feet(); }
 
-  // The same as for points. Where curves meet, the first one counts of those with the smallest offset.
+  // The same as for points; v may also be the first bend. Where curves meet, the first one counts of those with the smallest offset.
   std::size_t number(const Vertex_distance_field<double>& field, Vertex_id v) const
   {
     return curve_point_of_vertex(m_curves, field, [this](Vertex_id u) { return m_foot[u]; }, v).curve;

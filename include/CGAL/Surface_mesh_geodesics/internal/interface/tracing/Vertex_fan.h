@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/interface/tracing/Face_layout.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/tracing/Layouts_with_walls.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/full_turns.h>
 
 #include <CGAL/boost/graph/helpers.h>
 
@@ -29,18 +30,6 @@
 namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
-
-// Angles are in radians. (The nearest doubles; twice the half turn is the full turn exactly.)
-constexpr double full_turn = 6.283185307179586;
-constexpr double half_turn = full_turn / 2;
-
-// Returns the same angle in [0, period). A negative angle within rounding of 0 would become the period itself, and
-// gives 0 instead. std::fmod() is exact, so many turns cost no digits. Requires: both are finite, period > 0.
-inline double reduced_angle(double angle, double period)
-{
-  const double r = std::fmod(angle, period), reduced = r < 0 ? r + period : r;
-  return reduced < period ? reduced : 0.;
-}
 
 // The umbrella of a vertex that contains a given face. Invariant: the angles ascend from 0 to total_angle().
 //
@@ -109,7 +98,7 @@ public:
   {
     if(m_is_closed)
       return reduced_angle(reduced_angle(direction, full_turn) / full_turn * m_total_angle, m_total_angle);
-    const double tolerance = Tolerance<double>::barycentric();
+    const double tolerance = rounding_of_sums();
     if(direction >= -tolerance && direction <= m_total_angle + tolerance)
       return (std::min)((std::max)(direction, 0.), m_total_angle);
     const double reduced = reduced_angle(direction, full_turn);
@@ -128,6 +117,14 @@ public:
   }
 
 private:
+  // By how much two sums of the angles of the fan may differ, from whatever layouts they come: each angle rounds the
+  // sum once. (At the border, a direction may have been summed up from the other end.)
+  double rounding_of_sums() const
+  {
+    const double faces = static_cast<double>(m_sectors.size());
+    return Tolerance<double>::barycentric() * (std::max)(1., faces / 16) * (std::max)(1., m_total_angle);
+  }
+
   // Walks clockwise, until it is at the border or back at h. Users know the result as the halfedge with the direction
   // 0.
   //

@@ -13,9 +13,10 @@
 // What the functions of trace_geodesic.h do: check the input, walk, and convert directions.
 
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
-#include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/halfedge_in_face.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_values.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/tracing/Face_layout.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/tracing/Layouts_with_avoided_faces.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/tracing/Layouts_with_walls.h>
@@ -49,7 +50,7 @@ template <typename TriangleMesh>
 using Snapped_location
   = std::pair<typename boost::graph_traits<TriangleMesh>::face_descriptor, Barycentric<double>>;
 
-// A vertex gets the location in the face of halfedge(v, tm), or at the border in the next face around it. Descriptors
+// A vertex gets the location in the face of halfedge(v, tm), or at the border in the first face around it. Descriptors
 // are checked as far as the mesh can tell: no index map is needed here, and making one would take linear time.
 //
 // Returns a location of the user, which is a vertex or a location in a face, checked and snapped. Throws
@@ -68,10 +69,8 @@ Snapped_location<TriangleMesh> location_on_mesh(const TriangleMesh& tm, const Lo
     if(v == Graph_traits::null_vertex() || Removed_elements<TriangleMesh>::contain(v, tm))
       reject_vertex(what, none);
     // The location is in the face of a halfedge that enters the vertex: there the vertex is the corner behind it.
-    auto h = halfedge(v, tm);
-    if(h != Graph_traits::null_halfedge() && is_border(h, tm)) // at the border, its neighbor has a face
-      h = opposite(next(h, tm), tm);
-    if(h == Graph_traits::null_halfedge() || is_border(h, tm))
+    const auto h = halfedge_in_face(v, tm);
+    if(h == Graph_traits::null_halfedge())
       reject_vertex_without_face(what, none);
     Barycentric<double> corner{0, 0, 0};
     unsigned int k = 1; // that of the target of the first halfedge

@@ -94,6 +94,9 @@ public:
     return curve_point_of_vertex(m_curves, m_field, [this](Vertex_id u) { return m_propagation.strips().foot(u); }, v);
   }
 
+  // Tells at which vertex the last bend of a path from the curves is; its foot is that of the path.
+  const Field& field() const { return m_field; }
+
   // Returns all vertices that the last run touched, each once; also those of the refined mesh. For results of runs that
   // reach little of a large mesh.
   const std::vector<Vertex_id>& vertices_reached() const { return m_field.reached; }

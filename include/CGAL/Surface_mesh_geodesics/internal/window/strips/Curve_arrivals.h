@@ -127,16 +127,17 @@ Curve_point<FT> curve_point_of_vertex(const Source_curves<FT>& curves, const Ver
 }
 
 // The curves that have a place, of those with the smallest offset there, in ascending order. An inner point of an edge
-// that is its end up to rounding counts for the end: it may be the end of a strip, which rounding has moved. Takes time
-// logarithmic in the number of elements on several curves, plus that of sorting the result.
+// that is its end up to rounding counts for the end: it may be the end of a strip, which rounding has moved. `extent` is
+// that of the component of the place. Takes time logarithmic in the number of elements on several curves, plus that of
+// sorting the result.
 template <typename FT>
-std::vector<std::uint32_t> curves_at(const Source_curves<FT>& curves, Curve_place<FT> place)
+std::vector<std::uint32_t> curves_at(const Source_curves<FT>& curves, Curve_place<FT> place, const FT& extent)
 {
   if(place.edge != nullptr)
   {
     const bool is_nearer_to_first = place.t < FT(1) / 2;
     const FT to_end = place.edge->length * (is_nearer_to_first ? place.t : FT(1 - place.t));
-    if(to_end <= Tolerance<FT>::end_of_strip())
+    if(to_end <= Tolerance<FT>::end_of_strip() * extent)
       place.vertex = is_nearer_to_first ? place.edge->first : place.edge->last;
   }
   const bool is_vertex = place.vertex != null_id;
