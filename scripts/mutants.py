@@ -1441,7 +1441,7 @@ MUTANTS = [
      "curves.further_curves_of_vertices",
      "an edge on several curves belongs to one of them", (NEAREST_SITES,)),
     ("equal_sources_with_any_offset", SOURCE_SET,
-     "if(offset(j) == offset(i) && ", "if(",
+     "if(offset(j) == wanted && ", "if(",
      "a site with a smaller weight counts beside the one at its point", (NEAREST_SITES,)),
     ("equal_sources_on_one_side", SOURCE_SET,
      "if(number(j) == i)", "if(j == i)",

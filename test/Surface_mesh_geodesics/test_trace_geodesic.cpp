@@ -461,7 +461,8 @@ void test_border_of_large_fans()
         total += std::atan2(std::sqrt(CGAL::cross_product(u, w).squared_length()), u * w);
       }
       // The sum from the other end, and what rounding may make of it.
-      for(const double direction : {total, total * (1 + 1e-16 * static_cast<double>(n)), -1e-16 * static_cast<double>(n)})
+      const double rounding = 1e-16 * static_cast<double>(n);
+      for(const double direction : {total, total * (1 + rounding), -rounding})
       {
         const Traced t = trace_geodesic(tm, apex, direction, .5);
         CHECK(t.end == Traced::AT_LENGTH);

@@ -800,8 +800,8 @@ public:
   /// `nearest_site()` returns one of these sites, unless several points are equally near. Then the sites at one of
   /// these points are written; `arcs()` and `vertices()` know the others.
   ///
-  /// Takes the time of `nearest_site()`, plus time linear in the number of faces at sites if all of these are points, or
-  /// in the number of windows on the edges of a face and of bends of the path if there are curves.
+  /// Takes the time of `nearest_site()`, plus time linear in the number of faces at sites if all of these are points,
+  /// or in the number of windows on the edges of a face and of bends of the path if there are curves.
   ///
   /// \tparam OutputIterator a model of `OutputIterator` that takes `Site_index`
   /// \param v a vertex of the mesh

@@ -232,6 +232,8 @@ private:
   // run and after one that failed no vertex is reached.
   const Vertex_distance_field<FT>& field() const { return m_curve_run ? m_curve_run->field() : m_runner.field(); }
 
+  // The same as above, where source_of(i) tells the source of vertex i, or the vertex at the first bend of a path from
+  // the inside of a segment, which has the same foot.
   template <typename SourceOf>
   std::size_t nearest_source(vertex_descriptor v, SourceOf source_of) const
   {

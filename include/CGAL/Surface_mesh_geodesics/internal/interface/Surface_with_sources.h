@@ -16,9 +16,9 @@
 // the windows.
 
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Intrinsic_surface.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/directions/full_turns.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
-#include <CGAL/Surface_mesh_geodesics/internal/numeric/full_turns.h>
 #include <CGAL/Surface_mesh_geodesics/internal/paths/Departure.h>
 #include <CGAL/Surface_mesh_geodesics/internal/paths/Path_thinning.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>

@@ -59,8 +59,9 @@ void write_distances(const TriangleMesh& tm, const Solver& solver, VertexDistanc
     put(distance_map, v, static_cast<Value>(solver.distance(v)));
 }
 
-// Writes the numbers of the nearest sources to a map of the user; the largest std::size_t where no source reaches. Takes
-// linear time. The overload below is chosen if the options have no map.
+// Writes the numbers of the nearest sources to a map of the user; the largest std::size_t where no source reaches.
+// Takes linear time: the solver remembers the sources of vertices at which paths bend. The overload below is chosen if
+// the options have no map.
 template <typename TriangleMesh, typename Solver, typename NearestSourceMap>
 void write_nearest_sources(const TriangleMesh& tm, const Solver& solver, NearestSourceMap map)
 {

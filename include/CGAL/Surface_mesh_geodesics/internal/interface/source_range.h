@@ -144,6 +144,26 @@ void for_each_source(const Sources& sources, Visit visit)
   }
 }
 
+// --- vertices of the user ---
+
+// Returns a halfedge with a face and the target v; the null halfedge if v has no face in the umbrella of halfedge(v).
+// Edges without faces may be linked into the border at v, so several steps may be needed. Linear in the degree of v.
+template <typename TriangleMesh>
+typename boost::graph_traits<TriangleMesh>::halfedge_descriptor
+halfedge_in_face(typename boost::graph_traits<TriangleMesh>::vertex_descriptor v, const TriangleMesh& tm)
+{
+  using Graph_traits = boost::graph_traits<TriangleMesh>;
+  const typename Graph_traits::halfedge_descriptor first = halfedge(v, tm);
+  typename Graph_traits::halfedge_descriptor h = first;
+  while(h != Graph_traits::null_halfedge() && is_border(h, tm))
+  {
+    h = opposite(next(h, tm), tm);
+    if(h == first) // the edges around v have no face on either side
+      return Graph_traits::null_halfedge();
+  }
+  return h;
+}
+
 // --- validity of descriptors, before the mesh is read ---
 
 // Elements that have been removed keep their index, and a filtered graph lacks elements of the graph below it. Only the

@@ -147,7 +147,9 @@ public:
     : m_field(field), m_source(field.distance.size(), null_id)
   {}
 
-  // Returns the source of v; null_id if v is not reached. All vertices on the way get the same one.
+  // Returns the source of v; null_id if v is not reached. Follows the path back to the first vertex whose source is
+  // known, or to the first one of the path. All vertices on the way get the same source, so that no later path runs
+  // through them again.
   Vertex_id operator()(Vertex_id v)
   {
     Vertex_id last = v;

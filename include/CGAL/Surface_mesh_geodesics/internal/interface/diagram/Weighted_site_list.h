@@ -94,8 +94,8 @@ public:
   }
 
   // Calls add(site, offset) for each site. Throws Invalid_geodesic_input if an offset is not finite, or too large as a
-  // multiple of `unit`, the unit of the intrinsic mesh. (With an infinite unit, no finite offset is too large.) The sites before that one have been passed on then, so what add() has
-  // filled must not be used. Takes linear time.
+  // multiple of `unit`, the unit of the intrinsic mesh. (With an infinite unit, no finite offset is too large.) The
+  // sites before that one have been passed on then, so what add() has filled must not be used. Takes linear time.
   // Requires: unit > 0. The offset that add() gets is in the user's unit.
   template <typename Add>
   void for_each_offset(double unit, Add add) const

@@ -19,8 +19,8 @@
 //
 // The functions only read the solver, so several threads may call them at once, as they may ask for paths.
 
+#include <CGAL/Surface_mesh_geodesics/internal/interface/directions/full_turns.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
-#include <CGAL/Surface_mesh_geodesics/internal/numeric/full_turns.h>
 #include <CGAL/Surface_mesh_geodesics/internal/paths/Departure.h>
 #include <CGAL/Surface_mesh_geodesics/internal/paths/Ray_sectors.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>

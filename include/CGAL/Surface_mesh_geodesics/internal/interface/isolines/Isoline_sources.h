@@ -78,8 +78,8 @@ public:
 
   void finish(const Propagation&) {}
 
-  // Returns the number of the source with which paths begin whose first vertex is v (Vertex_distance_field::
-  // source_of()).
+  // Returns the number of the source of all paths whose first vertex is v, as Vertex_distance_field::source_of() and
+  // Sources_of_vertices find it.
   std::size_t number(const Vertex_distance_field<double>&, Vertex_id v) const { return m_numbers.number_at(v); }
 
 private:
@@ -116,7 +116,8 @@ public:
   // Notes the feet of paths: they are known as long as the propagation is there.
   void finish(const Propagation& propagation) { m_foot = propagation.strips().feet(); }
 
-  // The same as for points; v may also be the first bend. Where curves meet, the first one counts of those with the smallest offset.
+  // The same as for points, but a path from the inside of a segment has its first bend at v. Where curves meet, the
+  // first one counts of those with the smallest offset.
   std::size_t number(const Vertex_distance_field<double>& field, Vertex_id v) const
   {
     return curve_point_of_vertex(m_curves, field, [this](Vertex_id u) { return m_foot[u]; }, v).curve;

@@ -13,10 +13,10 @@
 // The faces around a vertex with their angles: the tangent frame of the vertex. Angles count counterclockwise from the
 // first halfedge of the fan. trace_geodesic.h documents which one that is, and how users see these angles.
 
+#include <CGAL/Surface_mesh_geodesics/internal/interface/directions/full_turns.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/tracing/Face_layout.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/tracing/Layouts_with_walls.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
-#include <CGAL/Surface_mesh_geodesics/internal/numeric/full_turns.h>
 
 #include <CGAL/boost/graph/helpers.h>
 

@@ -127,9 +127,9 @@ Curve_point<FT> curve_point_of_vertex(const Source_curves<FT>& curves, const Ver
 }
 
 // The curves that have a place, of those with the smallest offset there, in ascending order. An inner point of an edge
-// that is its end up to rounding counts for the end: it may be the end of a strip, which rounding has moved. `extent` is
-// that of the component of the place. Takes time logarithmic in the number of elements on several curves, plus that of
-// sorting the result.
+// that is its end up to rounding counts for the end: it may be the end of a strip, which rounding has moved. `extent`
+// is that of the component of the place. Takes time logarithmic in the number of elements on several curves, plus that
+// of sorting the result.
 template <typename FT>
 std::vector<std::uint32_t> curves_at(const Source_curves<FT>& curves, Curve_place<FT> place, const FT& extent)
 {

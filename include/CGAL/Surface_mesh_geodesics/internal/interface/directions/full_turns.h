@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Surface_mesh_geodesics authors
 
-#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_FULL_TURNS_H
-#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_FULL_TURNS_H
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_DIRECTIONS_FULL_TURNS_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_DIRECTIONS_FULL_TURNS_H
 
 // Angles of users, in radians, without full turns.
 
@@ -34,4 +34,4 @@ inline double reduced_angle(double angle, double period)
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_FULL_TURNS_H
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_DIRECTIONS_FULL_TURNS_H
