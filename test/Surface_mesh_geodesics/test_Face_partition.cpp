@@ -1,4 +1,5 @@
-// The partition of a face in which many cells meet: the number of traced fronts stays linear.
+// The partition of a face in which many cells meet: the number of traced fronts stays linear, and fronts find their
+// partners.
 
 #include "test_support.h"
 
@@ -8,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -132,11 +134,45 @@ void curves_end_at_the_cell_behind_them(std::size_t n)
   CHECK(partition.number_of_traces() <= 8 * n);
 }
 
+// Searches in lists that are short, long, and long with few sites give what comparing all fronts gives.
+void partners_are_found()
+{
+  using Front = internal::Cell_front<double>;
+  test_support::Random random(20261129);
+  internal::Front_partners<double> partners;
+  std::size_t found = 0;
+  for(std::size_t k = 0; k < 200; ++k)
+  {
+    std::vector<Front> fronts;
+    const std::size_t n = 1 + random.index(60), number_of_sites = 2 + random.index(12);
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      const std::size_t left = random.index(number_of_sites);
+      const std::size_t right = (left + 1 + random.index(number_of_sites - 1)) % number_of_sites;
+      fronts.emplace_back(static_cast<Site>(left), static_cast<Site>(right), Point{0., 0.}, i);
+    }
+    partners.restart();
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      const std::size_t from = random.index(2) == 0 ? 0 : i + 1, divisor = 1 + random.index(3);
+      std::size_t expected = from;
+      while(expected < n && (fronts[expected].left != fronts[i].right || fronts[expected].right != fronts[i].left
+                             || expected % divisor != 0))
+        ++expected;
+      const std::size_t first = partners.first(fronts, i, from, [&](std::size_t j) { return j % divisor == 0; });
+      CHECK_EQUAL(first, expected);
+      found += first < n;
+    }
+  }
+  CHECK(found > 500);
+}
+
 } // namespace
 
 int main()
 {
-  for(std::size_t n : {4u, 32u, 256u})
+  partners_are_found();
+  for(std::size_t n : {4u, 32u, 256u, 1000u})
   {
     parallel_curves_lead_to_another_side(n);
     curves_end_at_the_cell_behind_them(n);

@@ -36,6 +36,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/fronts/Face_images.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/fronts/Front_completion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/fronts/Front_meeting.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/fronts/Front_partners.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/fronts/Front_tracer.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Weighted_bisector.h>
@@ -46,6 +47,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -98,7 +100,8 @@ struct Face_division
 // after fewer steps than it has fronts, whatever the distances are.
 //
 // Cost: at most quadratic in the number of breakpoints, counted in traces (Front_tracer::trace()); a face that one
-// curve crosses needs one trace. Each step also compares all pairs of fronts, but mostly their sites only.
+// curve crosses needs one trace. There are at most as many steps as breakpoints. A step that connects two fronts takes
+// time linear in their number, in general; one that joins fronts also sorts them by their sites.
 template <typename FT_>
 class Face_partition
 {
@@ -138,12 +141,14 @@ public:
       fronts.emplace_back(b.left, b.right, b.p, i);
     }
     m_waiting.clear();
+    m_may_touch = true;
     close(fronts);
     while(!m_waiting.empty())
     {
-      std::vector<Front> next = std::move(m_waiting.back());
+      Part next = std::move(m_waiting.back());
       m_waiting.pop_back();
-      close(next);
+      m_may_touch = next.may_touch;
+      close(next.fronts);
     }
     CGAL_expensive_assertion(is_forest());
   }
@@ -163,6 +168,14 @@ private:
   using Front = Cell_front<FT>;
   using Piece = Front_piece<FT>;
   using Stop = Front_stop;
+
+  // A part of the face that is still to be closed.
+  struct Part
+  {
+    std::vector<Front> fronts;
+    bool may_touch; // two of them may start at one point
+  };
+
   static constexpr std::size_t none = Front::none;
 
   const Face_images<FT>& images_of_face() const { return m_tracer.images(); }
@@ -206,12 +219,10 @@ private:
   {
     while(fronts.size() > 2)
     {
-      if(connect_touching(fronts))
+      m_partners.restart();
+      if(m_may_touch && connect_touching(fronts))
         continue;
-      find_sites(fronts);
-      for(Front& f : fronts)
-        if(f.stop == Stop::NOT_TRACED)
-          m_tracer.trace(f, nullptr);
+      trace_all(fronts);
       if(!split(fronts) && !join_agreeing(fronts))
         join_nearest(fronts);
     }
@@ -220,6 +231,17 @@ private:
       find_sites(fronts);
       connect(fronts[0], fronts[1]);
     }
+  }
+
+  // Traces the fronts of a list that have no result that counts.
+  void trace_all(std::vector<Front>& fronts)
+  {
+    const auto is_missing = [](const Front& f) { return f.stop == Stop::NOT_TRACED; };
+    auto f = std::find_if(fronts.begin(), fronts.end(), is_missing);
+    if(f != fronts.end())
+      find_sites(fronts);
+    for(; f != fronts.end(); f = std::find_if(f + 1, fronts.end(), is_missing))
+      m_tracer.trace(*f, nullptr);
   }
 
   // Tells the tracer the sites of some fronts: in this part of the face, no trace meets the cell of another site. By
@@ -234,21 +256,28 @@ private:
     std::sort(sites.begin(), sites.end());
   }
 
-  // Returns whether two fronts are the two ends of one curve: they have the same cells on their other sides.
-  static bool are_ends_of_curve(const Front& f, const Front& g) { return f.left == g.right && f.right == g.left; }
-
   // Connects the first two fronts that start at one point, if there are any: a cell between them has no width, and
-  // there is nothing to trace, unless it is a wedge.
+  // there is nothing to trace, unless it is a wedge. If there are none, no further step has to look for them until a
+  // new front starts in a joint, unless there are wedges: their sides may become ends of one curve.
   bool connect_touching(std::vector<Front>& fronts)
   {
+    bool has_wedges = false;
     for(std::size_t i = 0; i < fronts.size(); ++i)
-      for(std::size_t j = i + 1; j < fronts.size(); ++j)
-        if(are_ends_of_curve(fronts[i], fronts[j])
-           && distance(fronts[i].p, fronts[j].p) <= images_of_face().width() && !is_beside_wedge(fronts, i, j))
-        {
-          split_at(fronts, i, j);
-          return true;
-        }
+    {
+      const std::size_t j = m_partners.first(fronts, i, i + 1, [&](std::size_t k)
+      {
+        if(!(distance(fronts[i].p, fronts[k].p) <= images_of_face().width()))
+          return false;
+        const bool is_wedge = is_beside_wedge(fronts, i, k);
+        has_wedges = has_wedges || is_wedge;
+        return !is_wedge;
+      });
+      if(j == fronts.size())
+        continue;
+      split_at(fronts, i, j);
+      return true;
+    }
+    m_may_touch = has_wedges;
     return false;
   }
 
@@ -295,16 +324,14 @@ private:
 
   // Returns the front through whose start front i leads first, otherwise the closest one to where it leaves the face,
   // otherwise `none`.
-  std::size_t other_end(const std::vector<Front>& fronts, std::size_t i) const
+  std::size_t other_end(const std::vector<Front>& fronts, std::size_t i)
   {
     const Front& f = fronts[i];
     std::size_t first = none, nearest = none;
     FT way = std::numeric_limits<FT>::infinity(), gap = images_of_face().joining_distance();
-    for(std::size_t j = 0; j < fronts.size(); ++j)
+    m_partners.first(fronts, i, 0, [&](std::size_t j)
     {
       const Front& g = fronts[j];
-      if(j == i || !are_ends_of_curve(f, g))
-        continue;
       if(distance(f.p, g.p) < way && f.piece_through(g.p) != none)
       {
         first = j;
@@ -315,31 +342,34 @@ private:
         nearest = j;
         gap = distance(f.end, g.p);
       }
-    }
+      return false; // look at all of them
+    });
     return first != none ? first : nearest;
   }
 
   // Connects the fronts i and j. Leaves the fronts on one side of that curve, and lets those on the other side wait.
   // Fronts that have met a cell that is not in their part are traced again, and so are those that rounding has stopped:
-  // with fewer sites they may find their way. Requires: are_ends_of_curve() holds for both.
+  // with fewer sites they may find their way. Requires: they are partners (Front_partners.h).
   void split_at(std::vector<Front>& fronts, std::size_t i, std::size_t j)
   {
     connect(fronts[i], fronts[j]);
     const std::size_t first = (std::min)(i, j), last = (std::max)(i, j);
-    const Front* const all = fronts.data();
-    std::vector<Front> inner(all + first + 1, all + last);
-    std::vector<Front> outer(all + last + 1, all + fronts.size());
-    outer.insert(outer.end(), all, all + first);
+    const auto all = std::make_move_iterator(fronts.begin());
+    const auto at = [&](std::size_t k) { return all + static_cast<std::ptrdiff_t>(k); };
+    std::vector<Front> inner(at(first + 1), at(last));
+    std::vector<Front> outer(at(last + 1), at(fronts.size()));
+    outer.insert(outer.end(), all, at(first));
     for(std::vector<Front>* part : {&inner, &outer})
     {
-      find_sites(*part);
+      if(std::any_of(part->begin(), part->end(), [](const Front& f) { return f.stop == Stop::SITE; }))
+        find_sites(*part);
       for(Front& f : *part)
         if(f.stop == Stop::LOST || (f.stop == Stop::SITE && !m_tracer.has_site(f.third)))
           f.stop = Stop::NOT_TRACED;
     }
     fronts = std::move(outer);
     if(!inner.empty())
-      m_waiting.push_back(std::move(inner));
+      m_waiting.push_back(Part{std::move(inner), m_may_touch});
   }
 
   // Joins the two adjacent fronts that agree and whose ends are closest to each other, if any agree. (Adjacent fronts
@@ -418,6 +448,7 @@ private:
     finish(g, v, node);
     const Vertex_id closed = f.right;
     const Front joined(f.left, g.right, v, node);
+    m_may_touch = true;
     fronts[i] = joined;
     fronts.erase(fronts.begin() + static_cast<std::ptrdiff_t>(next));
     for(Front& h : fronts)
@@ -534,7 +565,9 @@ private:
   Front_tracer<FT> m_tracer; // owns the images and breakpoints of the face
   Face_division<FT> m_division;
   std::vector<Front> m_fronts; // the list that build() begins with; a member, so that its memory is kept
-  std::vector<std::vector<Front>> m_waiting; // parts of the face that are still to be closed
+  Front_partners<FT> m_partners; // of the list that close() works on; restarted in each step
+  bool m_may_touch = true; // two fronts of this list may start at one point
+  std::vector<Part> m_waiting;
 };
 
 } // namespace internal
