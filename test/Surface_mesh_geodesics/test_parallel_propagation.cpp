@@ -457,7 +457,7 @@ int main()
       {noisy_sphere(3, .1, seed), rough_terrain(16, 2., seed), wavy_tube(20, 24), genus_3_polycube(),
        midpoint_subdivision(genus_2_polycube(), 2), tetrahedral_ogre(60, seed), spiral_corridor(),
        random_cuts(noisy_sphere(2, .1, seed + 2), .15, seed + 3), two_components_and_an_isolated_vertex(),
-       irregular_tetrahedron(), needle_sphere(12, 16)})
+       irregular_tetrahedron(), needle_sphere(12, 16), fan("flat saddle", 600, 1e-3, 0.), bipyramid(500, .01)})
   {
     threads_do_not_change_the_distances(indexed, random);
   }

@@ -156,7 +156,7 @@ public:
   }
   void prefetch_faces_of_star(Vertex_id v) const
   {
-    if(has_star(v))
+    if(has_star(v) && star_end(v) - star_begin(v) <= most_faces_to_prefetch)
       for(const Halfedge_id* h = star_begin(v); h != star_end(v); ++h)
         prefetch(&face(face_of(*h)));
   }
@@ -552,6 +552,7 @@ private:
   static constexpr double largest_faces_crossed = 1 << 30; // windows count faces in 31 bits
 
   static constexpr std::size_t room_for_sources = 64; // faces; a source needs two or three
+  static constexpr std::ptrdiff_t most_faces_to_prefetch = 32; // of a star; more would only push each other out
 
   std::vector<Face> m_faces;
   std::vector<Halfedge_id> m_vertex_halfedge;

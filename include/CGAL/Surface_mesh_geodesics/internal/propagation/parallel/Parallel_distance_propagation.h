@@ -274,7 +274,7 @@ private:
     const std::size_t parts = m_division.number_of_parts();
     for(std::size_t t = 0; t < m_number_of_threads; ++t)
       m_ends[t] = static_cast<std::uint32_t>((t + 1) * parts / m_number_of_threads);
-    share(true, m_size_of_last_batch >= smallest_shared_update, [this](std::uint32_t i) { update_part(i); });
+    share(true, m_size_of_batch >= smallest_shared_update, [this](std::uint32_t i) { update_part(i); });
     if(m_division.forget_stale_windows())
       m_wavefront.expect_stale_windows(m_division.largest_key());
   }
@@ -294,6 +294,7 @@ private:
   // order of their keys.
   std::size_t visit_batch(std::size_t n)
   {
+    m_size_of_batch = n;
     const std::size_t visits_before = m_workers.number_of_visits();
     const bool is_worth_it = n >= smallest_shared_batch;
     if(Keeper::is_deferred)
@@ -306,7 +307,6 @@ private:
       end += static_cast<std::uint32_t>(m_relay.number_of_own_units());
     share(false, n + m_relay.number_of_own_units() >= smallest_shared_batch,
           [this](std::uint32_t i) { do_unit(m_workers[0], i); });
-    m_size_of_last_batch = n;
     m_maximum_windows_alive = (std::max)(m_maximum_windows_alive, m_workers.number_of_windows());
     m_workers.for_each([this](Worker& w) { m_wavefront.lists().share_surplus(w.own_slots); });
     return m_workers.number_of_visits() - visits_before;
@@ -384,7 +384,7 @@ private:
   // Asks for what is_nearest_of_links() reads.
   void prefetch_records_around(Vertex_id v) const
   {
-    if(m_mesh.has_star(v))
+    if(degree(v) != 0 && degree(v) <= few_links)
       for(const Halfedge_id* h = m_mesh.star_begin(v); h != m_mesh.star_end(v); ++h)
         prefetch(&m_division.records()[m_mesh.target(*h)]);
   }
@@ -394,12 +394,11 @@ private:
   void visit(Worker& worker, const Queued_vertex<FT>& q, Vertex_id next)
   {
     const std::size_t part = m_division.part_of(q.vertex, 0);
+    if(is_known_to_wait(q.vertex))
+      return push(q.vertex, q.key, part, worker);
     worker.star.surround(m_mesh, q.vertex);
     if(!is_nearest_of_links(worker.star))
-    {
-      push(q.vertex, q.key, part, worker);
-      return;
-    }
+      return push(q.vertex, q.key, part, worker);
     m_wavefront.take(worker.star, q.key, worker.own_slots);
     worker.stars.propagate(worker.star);
     m_mesh.prefetch_faces_of_star(next);
@@ -430,6 +429,48 @@ private:
     return is_nearest;
   }
 
+  // The same, asked before the star is surrounded. A vertex with thousands of links may have to wait for many of them,
+  // one in each round: on a fan, those of the rim leave one after the other. To look at all links in each round would
+  // take time quadratic in their number, so the batch is searched for links if it is the smaller one. Returns false if
+  // it is not known.
+  bool is_known_to_wait(Vertex_id v) const
+  {
+    if(degree(v) <= few_links || degree(v) <= 8 * m_size_of_batch)
+      return false;
+    const auto has_nearer_link = [&](const std::vector<Queued_vertex<FT>>& batch)
+    {
+      return std::any_of(batch.begin(), batch.end(), [&](const Queued_vertex<FT>& q)
+      { return is_before(q.vertex, v) && is_link(v, q.vertex); });
+    };
+    for(std::size_t i = 0; i < m_division.number_of_parts(); ++i)
+      if(has_nearer_link(m_division.part(i).batch()))
+        return true;
+    return false;
+  }
+
+  // The number of faces around v; 0 if v has no star in the table of stars.
+  std::size_t degree(Vertex_id v) const
+  {
+    return m_mesh.has_star(v) ? static_cast<std::size_t>(m_mesh.star_end(v) - m_mesh.star_begin(v)) : 0;
+  }
+
+  // Is u visited before v, if both are in the batch and links of each other? The order of is_nearest_of_links().
+  bool is_before(Vertex_id u, Vertex_id v) const
+  {
+    const Batch_mark &a = m_division.records()[u].mark, &b = m_division.records()[v].mark;
+    const std::uint32_t factor = m_threshold.factor_of_ties();
+    return a.key < b.key || (!(b.key < a.key) && factor * u < factor * v);
+  }
+
+  // Is v a link of u? False if u has many links, too, or no star in the table of stars: then it is not known.
+  bool is_link(Vertex_id v, Vertex_id u) const
+  {
+    const auto leads_to_v = [&](Halfedge_id h)
+    { return m_mesh.target(h) == v || m_mesh.source(previous_halfedge(h)) == v; };
+    return degree(u) != 0 && degree(u) <= few_links
+        && std::any_of(m_mesh.star_begin(u), m_mesh.star_end(u), leads_to_v);
+  }
+
   // Queues a vertex that a visit in a part has met: at once if no other thread is at work, else by a message. The next
   // batch is the same.
   void push(Vertex_id v, const FT& key, std::size_t part, Worker& worker)
@@ -454,7 +495,7 @@ private:
       for(std::size_t i = 0; i < n; ++i)
         m_messages_of_part[i].push_back(&w.messages[i]);
     });
-    m_size_of_last_batch = 0;
+    m_size_of_batch = 0;
     m_number_of_shared_batches = 0;
   }
 
@@ -472,6 +513,7 @@ private:
   // Regions drift apart slowly. Until they are balanced again, threads help each other.
   static constexpr std::size_t batches_per_balance = 8;
 
+  static constexpr std::size_t few_links = 32;              // of a vertex: their records fit into the cache
   static constexpr std::size_t smallest_shared_update = 16; // visits that have left messages
   static constexpr std::size_t smallest_shared_batch = 6;   // visits
 
@@ -486,7 +528,7 @@ private:
   std::vector<std::vector<Messages*>> m_messages_of_part; // those of all workers, by part
   std::uint32_t m_round = 0;
   std::size_t m_number_of_threads = 1;            // of the run
-  std::size_t m_size_of_last_batch = 0;
+  std::size_t m_size_of_batch = 0; // of the last one, or of that which is visited
   std::size_t m_number_of_shared_batches = 0;     // of the run
   std::vector<Unit> m_units;                      // of the visits
   std::vector<std::uint32_t> m_ends;              // of the units of the phase, by thread
