@@ -1,5 +1,6 @@
 // Distances with signs: on the sides of polygons in the plane, of loops around a torus, and across a vertex at which
-// the surface is pinched; curves that do not separate the surface.
+// the surface is pinched; curves that do not separate the surface; curves that run along edges several times, beside
+// walls and without any.
 
 #include "curves_in_plane.h"
 #include "expected_exceptions.h"
@@ -11,11 +12,16 @@
 #include <CGAL/Surface_mesh_geodesics/internal/surface/curves/Curve_sides.h>
 #include <CGAL/Surface_mesh_geodesics/signed_geodesic_distances.h>
 
+#include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
 #include <vector>
 
 using namespace curve_cases;
@@ -24,16 +30,21 @@ using SMG::Invalid_geodesic_input;
 
 namespace {
 
-Distances signed_distances(const Mesh& tm, const std::vector<Curve>& curves)
+using edge_descriptor = boost::graph_traits<Mesh>::edge_descriptor;
+using halfedge_descriptor = boost::graph_traits<Mesh>::halfedge_descriptor;
+using Walls = std::vector<edge_descriptor>;
+
+Distances signed_distances(const Mesh& tm, const std::vector<Curve>& curves, const Walls& walls = {})
 {
   Distances d;
-  CHECK(SMG::signed_geodesic_distances(tm, boost::make_assoc_property_map(d), curves));
+  CHECK(SMG::signed_geodesic_distances(tm, boost::make_assoc_property_map(d), curves,
+                                       CGAL::parameters::edges_to_avoid(walls)));
   return d;
 }
 
-bool separates(const Mesh& tm, const std::vector<Curve>& curves)
+bool separates(const Mesh& tm, const std::vector<Curve>& curves, const Walls& walls = {})
 {
-  return !throws_reason(Invalid_geodesic_input::Reason::INVALID_CURVE, [&] { signed_distances(tm, curves); });
+  return !throws_reason(Invalid_geodesic_input::Reason::INVALID_CURVE, [&] { signed_distances(tm, curves, walls); });
 }
 
 // Triangles in the plane, one inside the other, counterclockwise: the ring between them is positive, the rest negative.
@@ -154,6 +165,185 @@ void test_signs_across_pinch()
   }
 }
 
+// --- curves that run along edges several times ---
+
+// From p to q, around a large square, back to p and once more to q, and around a small square to p. A wall crosses the
+// large one: its segments behind the wall, which lead back to p, do not decide.
+void test_first_run_decides()
+{
+  const Square s(8);
+  const std::vector<Point_2> points{{2, 3}, {3, 3}, {4, 3}, {5, 3}, {5, 4}, {5, 5}, {4, 5}, {3, 5}, {3, 4}, {3, 3},
+                                    {2, 3}, {3, 3}, {3, 2}, {2, 2}};
+  std::vector<vertex_descriptor> around;
+  for(const Point_2& p : points)
+    around.push_back(s.at(p[0], p[1]));
+  Walls walls;
+  for(const double x : {4., 5.})
+    walls.push_back(edge(s.at(x, 4), s.at(x + 1, 4), s.tm).first);
+  const Curve curve(s.tm, around, true);
+  const Distances without = signed_distances(s.tm, {curve}), with = signed_distances(s.tm, {curve}, walls);
+  for(const vertex_descriptor v : vertices(s.tm))
+  {
+    const bool is_positive = v == s.at(4, 4), is_on_curve = std::count(around.begin(), around.end(), v) != 0;
+    CHECK_EQUAL(without.at(v) < 0, !is_positive && !is_on_curve);
+    CHECK_EQUAL(with.at(v) < 0, !is_positive && !is_on_curve);
+  }
+}
+
+// A walk along edges back to its first vertex. It often runs along its first edge again.
+std::vector<vertex_descriptor> random_walk(const Mesh& tm, test_support::Random& random)
+{
+  const auto neighbors = [&](vertex_descriptor v)
+  {
+    std::vector<vertex_descriptor> result;
+    for(const halfedge_descriptor h : halfedges_around_target(halfedge(v, tm), tm))
+      result.push_back(source(h, tm));
+    random.shuffle(result);
+    return result;
+  };
+  std::vector<vertex_descriptor> walk{
+    vertex_descriptor(static_cast<Mesh::size_type>(random.index(num_vertices(tm))))};
+  for(std::size_t n = 4 + random.index(14); walk.size() < n;)
+  {
+    const bool is_at_first_edge = walk.size() > 1 && (walk.back() == walk[0] || walk.back() == walk[1]);
+    walk.push_back(is_at_first_edge && random.uniform() < .5 ? (walk.back() == walk[0] ? walk[1] : walk[0])
+                                                             : neighbors(walk.back())[0]);
+  }
+  // Back by a search in breadth, from the first vertex.
+  std::map<vertex_descriptor, vertex_descriptor> toward{{walk[0], walk[0]}};
+  std::vector<vertex_descriptor> found{walk[0]};
+  for(std::size_t i = 0; i < found.size(); ++i)
+    for(const vertex_descriptor v : neighbors(found[i]))
+      if(toward.emplace(v, found[i]).second)
+        found.push_back(v);
+  while(walk.back() != walk[0])
+    walk.push_back(toward.at(walk.back()));
+  walk.pop_back();
+  return walk;
+}
+
+// The colors of all faces by the definition. The face on the left of each run, in the order of the curves, is negative,
+// and that on its right is positive, unless another run has decided that already.
+struct Colors_by_definition
+{
+  using Walk = std::vector<vertex_descriptor>;
+
+  Colors_by_definition(const Mesh& mesh, const std::vector<Walk>& walks, const Walls& walls)
+    : tm(mesh), is_wall(walls.begin(), walls.end())
+  {
+    std::vector<halfedge_descriptor> all;
+    for(const Walk& w : walks)
+      for(std::size_t i = 0; i < w.size(); ++i)
+        all.push_back(halfedge(w[i], w[(i + 1) % w.size()], tm).first);
+    for(const halfedge_descriptor h : all)
+      ++runs[edge(h, tm)];
+    for(const halfedge_descriptor h : all)
+      if(runs.at(edge(h, tm)) % 2 == 1)
+      {
+        color_from(h, -1);
+        color_from(opposite(h, tm), 1);
+        if(first_part.empty())
+          for(const auto& c : color)
+            first_part.insert(c.first);
+      }
+  }
+
+  void color_from(halfedge_descriptor h, int c)
+  {
+    if(is_border(h, tm) || !color.emplace(face(h, tm), c).second)
+      return;
+    std::vector<face_descriptor> waiting{face(h, tm)};
+    while(!waiting.empty())
+    {
+      const face_descriptor f = waiting.back();
+      waiting.pop_back();
+      for(const halfedge_descriptor g : halfedges_around_face(halfedge(f, tm), tm))
+      {
+        const halfedge_descriptor o = opposite(g, tm);
+        if(is_border(o, tm) || is_wall.count(edge(g, tm)) != 0)
+          continue;
+        const auto run = runs.find(edge(g, tm));
+        const int expected = run != runs.end() && run->second % 2 == 1 ? -color.at(f) : color.at(f);
+        if(color.emplace(face(o, tm), expected).second)
+          waiting.push_back(face(o, tm));
+        else
+          separates = separates && color.at(face(o, tm)) == expected;
+      }
+    }
+  }
+
+  int at(face_descriptor f) const { return color.count(f) != 0 ? color.at(f) : 1; }
+
+  const Mesh& tm;
+  std::set<edge_descriptor> is_wall;
+  std::map<edge_descriptor, std::size_t> runs;
+  std::map<face_descriptor, int> color;
+  std::set<face_descriptor> first_part; // faces that walls do not part from the first run
+  bool separates = true;
+};
+
+// Signs with walls are those by the definition, and, in the part of the first run, those without walls. (A vertex of a
+// wall has the sign of a face there.) Returns how many vertices have been compared with those without walls.
+std::size_t check_signs_beside_walls(const Mesh& tm, const std::vector<std::vector<vertex_descriptor>>& walks,
+                                     const Walls& walls)
+{
+  std::vector<Curve> curves;
+  std::set<vertex_descriptor> on_curves;
+  for(const auto& w : walks)
+  {
+    curves.emplace_back(tm, w, true);
+    on_curves.insert(w.begin(), w.end());
+  }
+  const Colors_by_definition colors(tm, walks, walls);
+  CHECK_EQUAL(separates(tm, curves, walls), colors.separates);
+  if(!colors.separates)
+    return 0;
+  std::size_t result = 0;
+  const Distances found = signed_distances(tm, curves, walls);
+  const Distances without = separates(tm, curves) ? signed_distances(tm, curves) : Distances();
+  for(const vertex_descriptor v : vertices(tm))
+  {
+    std::set<int> signs;
+    bool is_in_first_part = true;
+    for(const halfedge_descriptor h : halfedges_around_target(halfedge(v, tm), tm))
+      if(!is_border(h, tm))
+      {
+        signs.insert(colors.at(face(h, tm)));
+        is_in_first_part = is_in_first_part && colors.first_part.count(face(h, tm)) != 0;
+      }
+    CHECK(on_curves.count(v) != 0 ? found.at(v) == 0 : signs.count(found.at(v) < 0 ? -1 : 1) != 0);
+    if(without.empty() || !is_in_first_part || signs.size() > 1)
+      continue;
+    CHECK_EQUAL(found.at(v) < 0, without.at(v) < 0);
+    ++result;
+  }
+  return result;
+}
+
+// Two curves, and walls that touch them, cross them and run along them.
+void test_signs_beside_walls()
+{
+  test_support::Random random(1);
+  std::size_t compared = 0;
+  const std::vector<Mesh> meshes{to_face_graph(flat_patch(4, 4, .2, true, 3)), to_face_graph(icosphere(1)),
+                                 to_face_graph(torus(2., 1., 5, 4))};
+  for(std::size_t i = 0; i < 600; ++i)
+  {
+    const Mesh& tm = meshes[i % meshes.size()];
+    const test_support::Scope scope("walls and runs " + std::to_string(i));
+    std::vector<std::vector<vertex_descriptor>> walks;
+    while(walks.size() < 1 + i % 2)
+      walks.push_back(random_walk(tm, random));
+    Walls walls;
+    const double part = i % 5 == 0 ? .3 : .08;
+    for(const edge_descriptor e : edges(tm))
+      if(random.uniform() < part)
+        walls.push_back(e);
+    compared += check_signs_beside_walls(tm, walks, walls);
+  }
+  CHECK(compared > 5000);
+}
+
 } // namespace
 
 int main()
@@ -161,5 +351,7 @@ int main()
   test_signs_in_plane();
   test_signs_on_torus();
   test_signs_across_pinch();
+  test_first_run_decides();
+  test_signs_beside_walls();
   return test_result();
 }

@@ -32,15 +32,19 @@ nearest point of a curve, as `geodesic_distances()` computes it, negative on one
 
 Curves <em>separate</em> the surface if every way from one side of a curve to the other crosses a curve: closed
 curves around a region do, and so does an open one from border to border. The side changes where a curve is crossed, so
-that a region inside of a region is on the outer side again. A point, and a part of a curve that is run along twice,
-have no sides: they separate nothing, and if there is nothing else, all distances are positive.
+that a region inside of a region is on the outer side again. A point, and a part of a curve that is run along twice (or
+another even number of times), have no sides: they separate nothing, and if there is nothing else, all distances are
+positive.
 
 The negative side is on the left of the first segment of the first curve, as seen on the outside of the surface; in each
-component without that segment, on the left of the first one there. A vertex on a curve has the distance 0. Vertices of
+component without that segment, on the left of the first one there. Parts of segments without sides do not count; where
+curves run along another part several times, the first time counts. A vertex on a curve has the distance 0. Vertices of
 components without a curve have the distance infinity, and those beyond the radius infinity with the sign of their side.
 
 Edges to avoid cut the surface like borders: no way crosses them, so a curve from one of them to another may separate
-it, and parts that they cut off are components. A vertex that they divide has the sign of its nearest side.
+it, and parts that they cut off are components. A vertex that they divide has the sign of its nearest side. All other
+vertices in the component of the first segment keep the sign that they have without these edges, if the curves separate
+the surface then.
 
 Takes the time of `geodesic_distances()`, in a single thread, plus time linear in the size of the mesh.
 

@@ -362,26 +362,31 @@ private:
   }
 
   // Keeps one of several copies of an edge or a vertex: that with the smallest offset, of these the first one. (Sorting
-  // keeps the order of the curves where all else is equal.)
+  // keeps the order of the curves where all else is equal.) For edges, the first one is that of the first segment of
+  // the user: its direction decides which side is negative, but walls may have put later pieces of a curve before it.
   void remove_copies()
   {
     keep_one_of_each(m_result.edges, m_result.further_curves_of_edges,
                      [](const Source_edge<FT>& e) { return (std::min)(e.left, e.right); },
                      [](const Source_edge<FT>& e) { return e.curve; },
+                     [](const Source_edge<FT>& e) { return std::tie(e.offset, e.curve, e.segment); },
                      [](Source_edge<FT>& kept, const Source_edge<FT>& e) { kept.copies += e.copies; });
     keep_one_of_each(m_result.vertices, m_result.further_curves_of_vertices,
                      [](const Source_vertex<FT>& v) { return v.vertex; },
                      [](const Source_vertex<FT>& v) { return v.point.curve; },
+                     [](const Source_vertex<FT>& v) { return std::tie(v.offset); },
                      [](Source_vertex<FT>&, const Source_vertex<FT>&) {});
   }
 
-  // Notes the other curves that have the same element and the same offset. add_copy(kept, copy) gets each copy.
-  template <typename Item, typename NameOf, typename CurveOf, typename AddCopy>
+  // The copy with the smallest rank stays, of equal ones the first. A rank begins with the offset and, unless all
+  // items are in the order of the curves, goes on with the curve. Notes the other curves that have the same element and
+  // the same offset. add_copy(kept, copy) gets each copy.
+  template <typename Item, typename NameOf, typename CurveOf, typename RankOf, typename AddCopy>
   static void keep_one_of_each(std::vector<Item>& items, std::vector<Further_curve>& further, NameOf name_of,
-                               CurveOf curve_of, AddCopy add_copy)
+                               CurveOf curve_of, RankOf rank_of, AddCopy add_copy)
   {
     std::stable_sort(items.begin(), items.end(), [&](const Item& a, const Item& b)
-    { return name_of(a) < name_of(b) || (name_of(a) == name_of(b) && a.offset < b.offset); });
+    { return name_of(a) < name_of(b) || (name_of(a) == name_of(b) && rank_of(a) < rank_of(b)); });
     std::size_t n = 0;
     std::uint32_t last_curve = 0; // with the smallest offset
     for(const Item& item : items)

@@ -42,9 +42,11 @@ class Curve_sides
 {
 public:
   // Colors all faces that are connected with a curve. The face on the left of the first edge of the first curve is
-  // negative; if there are several components, so is that of the first edge in each. Throws Invalid_geodesic_input if
-  // two colors do not suffice: then some way from one side of a curve to the other crosses no curve. Linear in the size
-  // of the mesh, plus the time of sorting the edges.
+  // negative; if there are several components, so is that of the first edge in each. Edges along which curves run an
+  // even number of times do not count. Along the others, the first time decides (Source_edge), so walls reverse no sign
+  // in the component of the first edge. Throws Invalid_geodesic_input if two colors do not suffice: then some way from
+  // one side of a curve to the other crosses no curve. Linear in the size of the mesh, plus the time of sorting the
+  // edges.
   Curve_sides(const Mesh& mesh, const Source_curves<FT>& curves)
     : m_mesh(mesh), m_face_sign(mesh.number_of_faces(), 0), m_is_crossed(4 * mesh.number_of_faces(), null_id)
   {

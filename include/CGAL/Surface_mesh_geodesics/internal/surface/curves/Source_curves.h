@@ -59,7 +59,8 @@ struct Curve_point
 
 // An edge of the refined mesh that is a part of a segment. Along the curve, the face of `left` is on the left, and that
 // of `right` on the right; null_id stands for the border. `left` runs along the curve, `right` against it. The
-// vertices and parameters are those of the ends.
+// vertices and parameters are those of the ends. A curve may run along the edge several times: the direction and the
+// segment are those of the first time, in the order of the user, whatever pieces walls make of the curve.
 template <typename FT>
 struct Source_edge
 {
