@@ -583,7 +583,7 @@ MUTANTS = [
      "    if(!is_nearest_of_links(worker.star))\n", "    if(!is_nearest_of_links(worker.star) && worker.messages.empty())\n",
      "stars that share faces are worked on at the same time", (PARALLEL_TEST,)),
     ("deferred_vertices_lost", PARALLEL,
-     "      push(q.vertex, q.key, part, worker);\n      return;", "      return;",
+     "star))\n      return push(q.vertex, q.key, part, worker);", "star))\n      return;",
      "vertices next to one that is visited are never visited", (PARALLEL_TEST,)),
     ("batches_on_small_meshes", BY_SIZE,
      "m_mesh.number_of_faces() < smallest_shared_mesh", "false",
