@@ -21,6 +21,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Intrinsic_surface.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Private_access.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/distance_functions.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/argument_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
 
@@ -87,6 +88,7 @@ template <typename TriangleMesh, typename ConcurrencyTag = Sequential_tag, typen
           typename FaceIndexMap = Default>
 class Geodesic_distance_solver
 {
+  static_assert(internal::Checked_mesh<TriangleMesh>::value, "always true, if it compiles");
   using Default_np = parameters::Default_named_parameters;
 
 public:
@@ -238,7 +240,7 @@ public:
   static Geodesic_distance_solver from_edge_lengths(const TriangleMesh& tm, EdgeLengthMap edge_length_map,
                                                     const CGAL_NP_CLASS& np = parameters::default_values())
   {
-    internal::check_parameters<internal::Edge_length_surface_parameters>(np);
+    internal::check_parameters<internal::Edge_length_surface_parameters>(tm, np);
     using Shape = internal::Shape_from_edge_lengths<double, TriangleMesh, EdgeLengthMap>;
     return Geodesic_distance_solver(make_solver(tm, Shape(tm, edge_length_map), np));
   }
@@ -355,7 +357,10 @@ public:
   template <typename VertexOutputIterator>
   VertexOutputIterator vertices_reached(VertexOutputIterator output) const
   {
-    m_solver->for_each_vertex_reached([&output](vertex_descriptor v, double) { *output++ = v; });
+    static_assert(internal::Checked_output_iterator<VertexOutputIterator, vertex_descriptor&>::value,
+                  "always true, if it compiles");
+    if constexpr(internal::Is_output_iterator<VertexOutputIterator, vertex_descriptor&>::value)
+      m_solver->for_each_vertex_reached([&output](vertex_descriptor v, double) { *output++ = v; });
     return output;
   }
 

@@ -383,10 +383,11 @@ Certificate certify_distances(const TriangleMesh& tm, VertexDistanceMap vertex_d
                               MakeShape make_shape, const NamedParameters& np)
 {
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
-  // Numbers of any type will do: the distances may come from a program with another kernel.
-  static_assert(!std::is_void<typename Value_of_map<VertexDistanceMap, vertex_descriptor>::type>::value,
-                "distances cannot be read from this argument; it is a property map of the vertices of the mesh, and "
-                "comes before the sources");
+  // Numbers of any type will do: the distances may come from a program with another kernel. Strings and flags of other
+  // kinds do not. Where the map is wrong, it is not read below, as the errors of reading it would hide the message.
+  constexpr bool are_distances = Is_map_of_numbers<VertexDistanceMap, vertex_descriptor>::value;
+  static_assert(are_distances, "distances cannot be read from this argument; it is a property map from the vertices of "
+                               "the mesh to numbers, and comes before the sources");
 
   auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
   auto fim = CGAL::get_initialized_face_index_map(tm, np);
@@ -398,7 +399,14 @@ Certificate certify_distances(const TriangleMesh& tm, VertexDistanceMap vertex_d
   Visitor_parameter<NamedParameters> visitor_parameter(np);
   const auto conditions = certifier.run(
     typename Chunks_for_tag<typename Available_tag<ConcurrencyTag>::type>::type(),
-    [&](vertex_descriptor v) { return CGAL::to_double(get(vertex_distance_map, v)); }, options.maximum_distance,
+    [&](vertex_descriptor v)
+    {
+      if constexpr(are_distances)
+        return CGAL::to_double(get(vertex_distance_map, v));
+      else
+        return 0.;
+    },
+    options.maximum_distance,
     value_parameter<std::size_t>(np, internal_np::number_of_iterations, 4),
     visitor_parameter.visitor());
   return Private_access::make<Certificate>(

@@ -33,6 +33,7 @@
 
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/Consecutive_elements.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/map_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/memory_hints.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_face.h>
@@ -78,6 +79,11 @@ class Shape_from_points
   using vertex_descriptor = typename Graph_traits::vertex_descriptor;
   using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
   using face_descriptor = typename Graph_traits::face_descriptor;
+
+  // Functions and classes have checked the map before, with a message that names it; the solver comes here with that of
+  // its constructor. Meshes whose own points are in the plane are found here, too: nobody has given a map for them.
+  static_assert(Is_point<typename Value_of_map<VertexPointMap, vertex_descriptor>::type>::value,
+                "the points are not a property map from the vertices of the mesh to points in space");
 
 public:
   static constexpr bool has_points = true;
@@ -214,6 +220,10 @@ class Shape_from_edge_lengths
   using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
   using edge_descriptor = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
   using Reason = Invalid_geodesic_input::Reason;
+
+  // Functions and classes that take lengths come here. A map of vertices or of halfedges is the usual mistake.
+  static_assert(Is_map_of_numbers<EdgeLengthMap, edge_descriptor>::value,
+                "the lengths are not a property map from the edges of the mesh to numbers");
 
 public:
   static constexpr bool has_points = false;

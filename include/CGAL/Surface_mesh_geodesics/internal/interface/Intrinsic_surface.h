@@ -21,6 +21,7 @@
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Face_graph_reader.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Face_shapes.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/argument_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/number_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
@@ -190,14 +191,17 @@ public:
     reject_vertex(what, position);
   }
 
-  // Does the same for each vertex of a range. Takes linear time.
+  // Does the same for each vertex of a range. Takes linear time. A range of something else does not compile, with one
+  // message; so do locations, which are sources but no targets.
   template <typename Vertices>
   std::vector<Vertex_id> checked_ids(const Vertices& range, const char* what) const
   {
     std::vector<Vertex_id> result;
-    for(const vertex_descriptor v : range)
-      // NOLINTNEXTLINE(performance-inefficient-vector-operation): a range need not know its size
-      result.push_back(checked_id(v, what, result.size()));
+    static_assert(Checked_vertices<Vertices, vertex_descriptor>::value, "always true, if it compiles");
+    if constexpr(Is_range_of<Vertices, vertex_descriptor>::value)
+      for(const vertex_descriptor v : range)
+        // NOLINTNEXTLINE(performance-inefficient-vector-operation): a range need not know its size
+        result.push_back(checked_id(v, what, result.size()));
     return result;
   }
 
@@ -290,8 +294,10 @@ public:
   Source_set<FT> source_set_of_vertices(const Vertices& range, const char* what) const
   {
     Source_set<FT> set;
-    for(const vertex_descriptor v : range)
-      add_source(v, set, what);
+    static_assert(Checked_vertices<Vertices, vertex_descriptor>::value, "always true, if it compiles");
+    if constexpr(Is_range_of<Vertices, vertex_descriptor>::value)
+      for(const vertex_descriptor v : range)
+        add_source(v, set, what);
     add_sources_behind_walls(set);
     return set;
   }

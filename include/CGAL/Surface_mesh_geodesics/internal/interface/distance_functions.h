@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Distance_solver.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Face_shapes.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Intrinsic_surface.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/argument_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/map_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_values.h>
@@ -249,8 +250,10 @@ template <typename Surface, typename Vertices, typename GoFurther>
 auto peeled_vertices(const Surface& surface, const Vertices& range, const GoFurther& go_further)
 {
   std::vector<typename Surface::vertex_descriptor> vertices, result;
-  for(const auto v : range)
-    vertices.push_back(v); // NOLINT(performance-inefficient-vector-operation): a range need not know its size
+  // The message for a range of something else is in checked_ids().
+  if constexpr(Is_range_of<Vertices, typename Surface::vertex_descriptor>::value)
+    for(const auto v : range)
+      vertices.push_back(v); // NOLINT(performance-inefficient-vector-operation): a range need not know its size
   result.reserve(vertices.size());
   for(const std::size_t i : peeling_order(surface.mesh(), surface.checked_ids(range, "vertex"), go_further))
     result.push_back(vertices[i]);

@@ -15,6 +15,7 @@
 
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/Parameter_sequence.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/argument_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/map_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
@@ -54,7 +55,8 @@ struct Is_vertex
 {};
 
 // True for a pair of a face descriptor and three numbers. Anything with members `first` and `second` will do whose
-// `second` has an operator[], such as std::pair with std::array or with the coordinates of a traits class.
+// `second` has an operator[], such as std::pair with std::array or with the coordinates of a traits class; but no two
+// numbers.
 template <typename TriangleMesh, typename Source, typename = void>
 struct Is_face_location
   : std::false_type
@@ -64,8 +66,9 @@ template <typename TriangleMesh, typename Source>
 struct Is_face_location<TriangleMesh, Source,
                         std::void_t<decltype(std::declval<const Source&>().first),
                                     decltype(std::declval<const Source&>().second[0])>>
-  : std::is_convertible<decltype(std::declval<const Source&>().first),
-                        typename boost::graph_traits<TriangleMesh>::face_descriptor>
+  : std::integral_constant<bool, std::is_convertible<decltype(std::declval<const Source&>().first),
+                                                     typename boost::graph_traits<TriangleMesh>::face_descriptor>::value
+                                   && Is_triple<std::decay_t<decltype(std::declval<const Source&>().second)>>::value>
 {};
 
 // Is a source a curve? (Surface_curve has the type `Surface_curve_tag`; the public header is above this room.)
@@ -80,6 +83,28 @@ template <typename Source>
 struct Is_curve<Source, std::void_t<typename Source::Surface_curve_tag>>
   : std::true_type
 {};
+
+// True for a curve on a mesh with the same faces: not on a mesh of another type, unless it shares the descriptors, as a
+// filtered graph does. So the faces are compared, and not the meshes: the curve of a part may be a source on the whole.
+template <typename TriangleMesh, typename Source, typename = void>
+struct Is_curve_on
+  : std::false_type
+{};
+
+template <typename TriangleMesh, typename Source>
+struct Is_curve_on<TriangleMesh, Source, std::void_t<typename Source::Surface_curve_tag>>
+  : std::is_convertible<typename Source::face_descriptor, typename boost::graph_traits<TriangleMesh>::face_descriptor>
+{};
+
+// Asked where a curve is given: what follows of it would fail at each of its descriptors. Points of another mesh need
+// no such question, as they are no sources then.
+template <typename TriangleMesh, typename Curve>
+struct Checked_curve
+{
+  static_assert(!Is_curve<Curve>::value || Is_curve_on<TriangleMesh, Curve>::value,
+                "the curve is on a mesh of another type");
+  static constexpr bool value = true;
+};
 
 // True for a single source of any kind. Anything else is taken for a range.
 template <typename TriangleMesh, typename Source>
@@ -132,15 +157,22 @@ template <typename TriangleMesh, typename Sources, typename Visit>
 void for_each_source(const Sources& sources, Visit visit)
 {
   if constexpr(Is_source<TriangleMesh, Sources>::value)
+  {
+    static_assert(Checked_curve<TriangleMesh, Sources>::value, "always true, if it compiles");
     visit(sources);
+  }
   else
   {
     static_assert(Is_range_of_sources<TriangleMesh, Sources>::value,
                   "a source is a vertex descriptor, a pair of a face descriptor and three barycentric coordinates, or "
                   "a curve; several sources are a range of these");
     if constexpr(Is_range_of_sources<TriangleMesh, Sources>::value)
+    {
+      using Source = std::decay_t<decltype(*std::begin(sources))>;
+      static_assert(Checked_curve<TriangleMesh, Source>::value, "always true, if it compiles");
       for(const auto& source : sources)
         visit(source);
+    }
   }
 }
 
@@ -321,18 +353,6 @@ struct Obstacles
   Wall_bits walls_of(std::size_t face) const { return face < walls.size() ? walls[face] : Wall_bits(0); }
 };
 
-// True for a property map: its traits name a category, also where a user has specialized them. All other types are
-// ranges. (Both may have begin().)
-template <typename T, typename = void>
-struct Is_property_map
-  : std::false_type
-{};
-
-template <typename T>
-struct Is_property_map<T, std::void_t<typename boost::property_traits<T>::category>>
-  : std::true_type
-{};
-
 // An index that is out of range marks nothing here: the reader, which sees every face, rejects it with its position.
 // Faces that have been removed from the mesh are not among its faces, and are rejected in a range.
 //
@@ -343,6 +363,8 @@ template <typename TriangleMesh, typename FaceIndexMap, typename Faces>
 std::vector<char> flags_of_avoided_faces(const TriangleMesh& tm, const FaceIndexMap& fim, const Faces& avoided)
 {
   using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
+  // Functions with named parameters and the classes come here, so the message does not say which of them it was.
+  static_assert(Checked_faces_to_avoid<Faces, face_descriptor>::value, "always true, if it compiles");
   const std::size_t number_of_faces = num_faces(tm);
   std::vector<char> flags;
   const auto mark = [&](face_descriptor f)
@@ -350,12 +372,10 @@ std::vector<char> flags_of_avoided_faces(const TriangleMesh& tm, const FaceIndex
     flags.resize(number_of_faces, 0);
     flags[static_cast<std::size_t>(get(fim, f))] = 1;
   };
-  if constexpr(Is_property_map<Faces>::value)
+  if constexpr(!is_set_to_avoid<Faces, face_descriptor>)
+    return flags;
+  else if constexpr(Is_property_map<Faces>::value)
   {
-    // The traits are asked, as a class of the user may have no members.
-    // Numbers convert to bool, too: a map of patches would avoid all faces but those of patch 0.
-    static_assert(std::is_same<typename boost::property_traits<Faces>::value_type, bool>::value,
-                  "the value of the named parameter faces_to_avoid is a map, but its values are not of type bool");
     for(const face_descriptor f : faces(tm)) // an index out of range is rejected when the mesh is read
       if(get(avoided, f) && is_face_of(f, tm, fim, number_of_faces))
         mark(f);
@@ -400,6 +420,7 @@ std::vector<Wall_bits> walls_of_edges(const TriangleMesh& tm, const FaceIndexMap
   using Graph_traits = boost::graph_traits<TriangleMesh>;
   using edge_descriptor = typename Graph_traits::edge_descriptor;
   using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
+  static_assert(Checked_edges_to_avoid<Edges, edge_descriptor>::value, "always true, if it compiles");
   const std::size_t number_of_faces = num_faces(tm);
   std::vector<Wall_bits> walls;
   const auto mark = [&](typename Graph_traits::face_descriptor f, unsigned int k)
@@ -408,10 +429,10 @@ std::vector<Wall_bits> walls_of_edges(const TriangleMesh& tm, const FaceIndexMap
     Wall_bits& bits = walls[static_cast<std::size_t>(get(fim, f))];
     bits = static_cast<Wall_bits>(bits | 1u << k);
   };
-  if constexpr(Is_property_map<Edges>::value)
+  if constexpr(!is_set_to_avoid<Edges, edge_descriptor>)
+    return walls;
+  else if constexpr(Is_property_map<Edges>::value)
   {
-    static_assert(std::is_same<typename boost::property_traits<Edges>::value_type, bool>::value,
-                  "the value of the named parameter edges_to_avoid is a map, but its values are not of type bool");
     for(const auto f : faces(tm))
     {
       halfedge_descriptor h = halfedge(f, tm);
@@ -465,12 +486,7 @@ std::vector<char> avoided_faces(const TriangleMesh& tm, const FaceIndexMap& fim,
 {
   if constexpr(Has_parameter<NamedParameters, internal_np::faces_to_avoid_t>::value)
   {
-    using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
-    const auto& avoided = parameters::get_parameter_reference(np, internal_np::faces_to_avoid);
-    using Value = std::remove_const_t<std::remove_reference_t<decltype(avoided)>>;
-    static_assert(Is_property_map<Value>::value || Is_range_of<Value, face_descriptor>::value,
-                  "the value of the named parameter faces_to_avoid is neither a range of faces nor a property map");
-    return flags_of_avoided_faces(tm, fim, avoided);
+    return flags_of_avoided_faces(tm, fim, parameters::get_parameter_reference(np, internal_np::faces_to_avoid));
   }
   else
     return {};
@@ -483,12 +499,7 @@ std::vector<Wall_bits> walls(const TriangleMesh& tm, const FaceIndexMap& fim, co
 {
   if constexpr(Has_parameter<NamedParameters, internal_np::edges_to_avoid_t>::value)
   {
-    using edge_descriptor = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
-    const auto& avoided = parameters::get_parameter_reference(np, internal_np::edges_to_avoid);
-    using Value = std::remove_const_t<std::remove_reference_t<decltype(avoided)>>;
-    static_assert(Is_property_map<Value>::value || Is_range_of<Value, edge_descriptor>::value,
-                  "the value of the named parameter edges_to_avoid is neither a range of edges nor a property map");
-    return walls_of_edges(tm, fim, avoided);
+    return walls_of_edges(tm, fim, parameters::get_parameter_reference(np, internal_np::edges_to_avoid));
   }
   else
     return {};

@@ -15,6 +15,7 @@
 // where it is named, and not deep inside a computation.
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -41,13 +42,85 @@ struct Value_of_map<Map, Key,
   using type = typename boost::property_traits<Map>::value_type;
 };
 
+// True for a property map: its traits name a category, also where a user has specialized them. All other types are
+// ranges. (Both may have begin().)
+template <typename T, typename = void>
+struct Is_property_map
+  : std::false_type
+{};
+
+template <typename T>
+struct Is_property_map<T, std::void_t<typename boost::property_traits<T>::category>>
+  : std::true_type
+{};
+
+// True for a property map that takes a Key, also one of Boost that ignores its keys.
+template <typename Map, typename Key, typename = void>
+struct Has_keys
+  : std::false_type
+{};
+
+template <typename Map, typename Key>
+struct Has_keys<Map, Key, std::void_t<typename boost::property_traits<Map>::key_type>>
+  : std::integral_constant<bool, std::is_convertible<Key, typename boost::property_traits<Map>::key_type>::value
+                                   || std::is_void<typename boost::property_traits<Map>::key_type>::value>
+{};
+
+// True for a property map that cannot be written: it says so, or its put() is Boost's, which assigns to a reference,
+// and the reference is one to a constant. (Boost's map of a `const std::map` does not say so.)
+template <typename Map, typename = void>
+struct Is_read_only
+  : std::false_type
+{};
+
+template <typename Map>
+struct Is_read_only<Map, std::void_t<typename boost::property_traits<Map>::category,
+                                     typename boost::property_traits<Map>::reference>>
+  : std::integral_constant<
+      bool, std::is_same<typename boost::property_traits<Map>::category, boost::readable_property_map_tag>::value
+              || (std::is_const<std::remove_reference_t<typename boost::property_traits<Map>::reference>>::value
+                  && std::is_base_of<boost::put_get_helper<typename boost::property_traits<Map>::reference, Map>,
+                                     Map>::value)>
+{};
+
 // True for a property map to which a Value can be written at a Key. Integers would cut off the digits of distances,
 // without a word: they convert like any other type of numbers.
 template <typename Map, typename Key, typename Value>
 struct Is_map_for
-  : std::integral_constant<bool, std::is_convertible<Value, typename Value_of_map<Map, Key>::type>::value
+  : std::integral_constant<bool, !Is_read_only<Map>::value
+                                   && std::is_convertible<Value, typename Value_of_map<Map, Key>::type>::value
                                    && (!std::is_floating_point<Value>::value
                                        || !std::is_integral<typename Value_of_map<Map, Key>::type>::value)>
+{};
+
+// True for a property map to which numbers can be written at a Key, converted explicitly: the number type of a kernel
+// may have no other way. Queries of the classes write such numbers. (Is_map_for asks for an implicit conversion, as the
+// functions write what the user has asked for: numbers of type double.)
+template <typename Map, typename Key, typename = void>
+struct Is_map_for_numbers
+  : std::false_type
+{};
+
+template <typename Map, typename Key>
+struct Is_map_for_numbers<Map, Key, std::void_t<typename boost::property_traits<Map>::value_type>>
+  : std::integral_constant<bool, Has_keys<Map, Key>::value && !Is_read_only<Map>::value
+                                   && std::is_constructible<typename boost::property_traits<Map>::value_type,
+                                                            double>::value>
+{};
+
+// True for a property map from which numbers of any type that CGAL::to_double() takes can be read at a Key.
+template <typename Map, typename Key, typename = void>
+struct Is_map_of_numbers
+  : std::false_type
+{};
+
+template <typename Map, typename Key>
+struct Is_map_of_numbers<Map, Key, std::void_t<decltype(CGAL::to_double(
+                                     std::declval<const typename boost::property_traits<Map>::value_type&>()))>>
+  : std::integral_constant<bool, Has_keys<Map, Key>::value
+                                   && std::is_convertible<decltype(CGAL::to_double(
+                                        std::declval<const typename boost::property_traits<Map>::value_type&>())),
+                                                          double>::value>
 {};
 
 // True for a property map from which a Value can be read at a Key.
@@ -94,7 +167,7 @@ using Value_of_parameter = std::decay_t<decltype(CGAL::parameters::get_parameter
 // the line where the map is read first, many calls below the one of the user; and a map of distances in the place of
 // one of indices would compile.
 template <typename TriangleMesh, typename NamedParameters>
-void check_maps(const NamedParameters&)
+auto check_maps(const NamedParameters&)
 {
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;

@@ -14,6 +14,7 @@
 // and a value of a wrong type. Nothing here remains at run time.
 
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/Parameter_sequence.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/argument_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/map_checks.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -65,20 +66,22 @@ struct Named_parameters<CGAL::internal_np::Named_params_impl<T, Tag, Base>, Set>
 {};
 
 // Does not compile if a parameter among `np` is not in the set. Public functions call it first, before something else
-// in them fails to compile. Functions that call each other inside the package pass what they like.
+// in them fails to compile. Functions that call each other inside the package pass what they like. (The type `auto` is
+// not idle: the compiler has to read the body at once, before the rest of the caller.)
 template <typename Set, typename NamedParameters>
-void check_parameters(const NamedParameters&)
+auto check_parameters(const NamedParameters&)
 {
   static_assert(Named_parameters<typename NamedParameters::base, Set>::value, "always true, if it compiles");
 }
 
 // One call for both kinds of checks, so that no function forgets one of them.
 //
-// The same for a function that reads a mesh: the maps of the mesh among `np` are checked, too. Functions that write a
+// The same for a function that reads a mesh: the mesh is checked, and its maps among `np`, too. Functions that write a
 // mesh, and solvers, which got their maps from a constructor, call the other overload.
 template <typename Set, typename TriangleMesh, typename NamedParameters>
-void check_parameters(const TriangleMesh&, const NamedParameters& np)
+auto check_parameters(const TriangleMesh&, const NamedParameters& np)
 {
+  static_assert(Checked_mesh<TriangleMesh>::value, "always true, if it compiles");
   check_parameters<Set>(np);
   check_maps<TriangleMesh>(np);
 }
@@ -159,18 +162,6 @@ using Remeshing_parameters = Extended_set<Mesh_and_visitor_parameters, internal_
                                           internal_np::number_of_iterations_t, internal_np::faces_to_avoid_t>::type;
 
 // --- types of values: false for a type that is something else altogether (for maps see map_checks.h) ---
-
-// True for a range whose elements convert to Element: what std::begin() and std::end() take, arrays included.
-template <typename Range, typename Element, typename = void>
-struct Is_range_of
-  : std::false_type
-{};
-
-template <typename Range, typename Element>
-struct Is_range_of<Range, Element, std::void_t<decltype(*std::begin(std::declval<const Range&>())),
-                                               decltype(std::end(std::declval<const Range&>()))>>
-  : std::is_convertible<decltype(*std::begin(std::declval<const Range&>())), Element>
-{};
 
 } // namespace internal
 } // namespace Surface_mesh_geodesics

@@ -15,6 +15,7 @@
 // of its own: positions on edges are kept as fractions, which need no common unit.
 
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/map_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_face.h>
@@ -185,6 +186,9 @@ class Layouts_from_edge_lengths
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
   using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
   using Reason = Invalid_geodesic_input::Reason;
+
+  static_assert(Is_map_of_numbers<EdgeLengthMap, typename boost::graph_traits<TriangleMesh>::edge_descriptor>::value,
+                "the lengths are not a property map from the edges of the mesh to numbers");
 
 public:
   static constexpr bool has_points = false;

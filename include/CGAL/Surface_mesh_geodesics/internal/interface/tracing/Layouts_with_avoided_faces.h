@@ -65,9 +65,6 @@ private:
   std::vector<face_descriptor> m_faces; // sorted
 };
 
-// (Values of another type than bool are rejected as for other functions: numbers convert to bool, so a map of patches
-// would avoid all faces but those of patch 0.)
-//
 // The faces for which a map of the user is true. The map is asked where the walk is, so its size does not matter.
 template <typename FaceMap>
 class Face_map_set
@@ -75,10 +72,7 @@ class Face_map_set
 public:
   template <typename TriangleMesh>
   Face_map_set(const TriangleMesh&, const FaceMap& map) : m_map(map)
-  {
-    static_assert(std::is_same<typename boost::property_traits<FaceMap>::value_type, bool>::value,
-                  "the value of the named parameter faces_to_avoid is a map, but its values are not of type bool");
-  }
+  {}
 
   template <typename Face>
   bool contains(Face f) const

@@ -80,10 +80,7 @@ class Edge_map_set
 public:
   template <typename TriangleMesh>
   Edge_map_set(const TriangleMesh&, const EdgeMap& map) : m_map(map)
-  {
-    static_assert(std::is_same<typename boost::property_traits<EdgeMap>::value_type, bool>::value,
-                  "the value of the named parameter edges_to_avoid is a map, but its values are not of type bool");
-  }
+  {}
 
   template <typename Halfedge, typename TriangleMesh>
   bool contains(Halfedge h, const TriangleMesh& tm) const

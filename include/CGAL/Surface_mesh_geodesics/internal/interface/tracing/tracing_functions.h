@@ -13,6 +13,7 @@
 // What the functions of trace_geodesic.h do: check the input, walk, and convert directions.
 
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/argument_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_values.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
@@ -58,7 +59,7 @@ template <typename TriangleMesh, typename Location>
 Snapped_location<TriangleMesh> location_on_mesh(const TriangleMesh& tm, const Location& location)
 {
   using Graph_traits = boost::graph_traits<TriangleMesh>;
-  static_assert(Is_source<TriangleMesh, Location>::value,
+  static_assert(Is_vertex<TriangleMesh, Location>::value || Is_face_location<TriangleMesh, Location>::value,
                 "a location is a vertex descriptor or a pair of a face descriptor and three barycentric coordinates");
   constexpr std::size_t none = Invalid_geodesic_input::no_element;
   const char* const what = "the location";
@@ -78,7 +79,7 @@ Snapped_location<TriangleMesh> location_on_mesh(const TriangleMesh& tm, const Lo
     corner[k] = 1;
     return {face(h, tm), corner};
   }
-  else
+  else if constexpr(Is_face_location<TriangleMesh, Location>::value)
   {
     const typename Graph_traits::face_descriptor f = location.first;
     if(f == Graph_traits::null_face())
@@ -139,8 +140,8 @@ auto with_avoided_faces(const TriangleMesh& tm, Layouts layouts, const NamedPara
     const auto& avoided = parameters::get_parameter_reference(np, internal_np::faces_to_avoid);
     using Value = std::remove_const_t<std::remove_reference_t<decltype(avoided)>>;
     constexpr bool is_map = Is_property_map<Value>::value;
-    static_assert(is_map || Is_range_of<Value, typename boost::graph_traits<TriangleMesh>::face_descriptor>::value,
-                  "the value of the named parameter faces_to_avoid is neither a range of faces nor a property map");
+    static_assert(Checked_faces_to_avoid<Value, typename boost::graph_traits<TriangleMesh>::face_descriptor>::value,
+                  "always true, if it compiles");
     using Avoided = std::conditional_t<is_map, Face_map_set<Value>, Face_set<TriangleMesh>>;
     return Layouts_with_avoided_faces<TriangleMesh, Layouts, Avoided>(tm, std::move(layouts), avoided);
   }
@@ -158,8 +159,8 @@ auto with_walls(const TriangleMesh& tm, Layouts layouts, const NamedParameters& 
     const auto& avoided = parameters::get_parameter_reference(np, internal_np::edges_to_avoid);
     using Value = std::remove_const_t<std::remove_reference_t<decltype(avoided)>>;
     constexpr bool is_map = Is_property_map<Value>::value;
-    static_assert(is_map || Is_range_of<Value, typename boost::graph_traits<TriangleMesh>::edge_descriptor>::value,
-                  "the value of the named parameter edges_to_avoid is neither a range of edges nor a property map");
+    static_assert(Checked_edges_to_avoid<Value, typename boost::graph_traits<TriangleMesh>::edge_descriptor>::value,
+                  "always true, if it compiles");
     using Walls = std::conditional_t<is_map, Edge_map_set<Value>, Edge_set<TriangleMesh>>;
     return Layouts_with_walls<TriangleMesh, Layouts, Walls>(tm, std::move(layouts), avoided);
   }
@@ -174,7 +175,7 @@ auto layouts_from_points(const TriangleMesh& tm, const NamedParameters& np)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  check_parameters<Tracing_parameters>(np);
+  check_parameters<Tracing_parameters>(tm, np);
   auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
                               get_const_property_map(CGAL::vertex_point, tm));
   const Layouts_from_points<TriangleMesh, decltype(vpm)> layouts(tm, vpm);
@@ -185,7 +186,7 @@ auto layouts_from_points(const TriangleMesh& tm, const NamedParameters& np)
 template <typename TriangleMesh, typename EdgeLengthMap, typename NamedParameters>
 auto layouts_from_edge_lengths(const TriangleMesh& tm, EdgeLengthMap edge_length_map, const NamedParameters& np)
 {
-  check_parameters<Edge_length_tracing_parameters>(np);
+  check_parameters<Edge_length_tracing_parameters>(tm, np);
   const Layouts_from_edge_lengths<TriangleMesh, EdgeLengthMap> layouts(tm, edge_length_map);
   return with_walls(tm, with_avoided_faces(tm, layouts, np), np);
 }
@@ -257,6 +258,8 @@ auto halfedge_at_location(typename boost::graph_traits<TriangleMesh>::face_descr
 template <typename TriangleMesh, typename Layouts, typename Location, typename Vector>
 double direction_of_vector(const TriangleMesh& tm, const Layouts& layouts, const Location& location, const Vector& v)
 {
+  // (A vector of the plane has an operator[], too.)
+  static_assert(Is_triple<Vector>::value, "the vector of a direction has three coordinates, which operator[] returns");
   const Snapped_location<TriangleMesh> start = snapped_location(tm, layouts, location);
   const auto h = halfedge_at_location(start.first, start.second, tm);
   const Face_axes axes = axes_of_face(h, layouts);
