@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_geodesics/Geodesic_default_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_Voronoi_diagram.h>
 #include <CGAL/Surface_mesh_geodesics/internal/applications/Lloyd_relaxation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/argument_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_values.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
@@ -27,6 +28,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <vector>
 
 namespace CGAL {
@@ -164,15 +166,23 @@ std::size_t geodesic_Lloyd_relaxation(const TriangleMesh& tm, const VertexRange&
                                       OutputIterator output, const CGAL_NP_CLASS& np = parameters::default_values())
 {
   internal::check_parameters<internal::Relaxation_parameters>(tm, np);
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  constexpr bool are_vertices = internal::Is_range_of<VertexRange, vertex_descriptor>::value;
+  static_assert(are_vertices, "the sites are a range of vertices of the mesh");
+  static_assert(internal::Checked_output_iterator<OutputIterator, vertex_descriptor&>::value,
+                "always true, if it compiles");
   internal::Visitor_parameter<CGAL_NP_CLASS> visitor_parameter(np);
   auto& visitor = visitor_parameter.visitor();
-  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> moved(sites.begin(), sites.end());
+  std::vector<vertex_descriptor> moved;
+  if constexpr(are_vertices) // else the errors of the standard library would follow the message
+    moved.assign(std::begin(sites), std::end(sites));
   const std::size_t number_of_iterations
     = internal::value_parameter<std::size_t>(np, internal_np::number_of_iterations, 10);
   const std::size_t n
     = internal::relax_sites<Surface_mesh_geodesic_Voronoi_diagram, ConcurrencyTag>(
       tm, moved, number_of_iterations, visitor, np, [](auto) { return false; });
-  std::copy(moved.begin(), moved.end(), output);
+  if constexpr(internal::Is_output_iterator<OutputIterator, vertex_descriptor&>::value)
+    std::copy(moved.begin(), moved.end(), output);
   return n;
 }
 

@@ -17,11 +17,14 @@
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_parameters.h>
 #include <CGAL/Surface_mesh_geodesics/internal/applications/Farthest_point_sampling.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/argument_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_values.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+
+#include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
 
@@ -144,6 +147,9 @@ double geodesic_farthest_point_sampling(const TriangleMesh& tm, std::size_t n, O
                                         const CGAL_NP_CLASS& np = parameters::default_values())
 {
   internal::check_parameters<internal::Sampling_parameters>(tm, np);
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  static_assert(internal::Checked_output_iterator<OutputIterator, vertex_descriptor>::value,
+                "always true, if it compiles");
   return internal::sample_farthest_points(tm, n, output, internal::sampling_options<TriangleMesh>(np), np);
 }
 

@@ -20,6 +20,7 @@
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Intrinsic_surface.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/distance_functions.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/argument_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
@@ -139,7 +140,8 @@ private:
       m_surface.for_each_copy(v, [&](Vertex_id c) { propagation.add_source(c, 0); });
       is_complete = propagate(propagation, visitor);
       if(is_complete)
-        *output++ = m_surface.descriptor(v);
+        if constexpr(Is_output_iterator<OutputIterator, vertex_descriptor>::value)
+          *output++ = m_surface.descriptor(v);
       ++number;
     }
     if(options.statistics != nullptr)

@@ -14,6 +14,7 @@
 // `SurfaceMeshShortestPathVisitor`. `Path_point_writer` and `Path_polyline_writer` are such visitors; they write
 // points. `Isoline_writer` writes the points of isolines.
 
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/argument_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -64,7 +65,8 @@ private:
 };
 
 // Writes the points of a path, none twice in a row. The output iterator is copied; the position that it reaches is not
-// returned.
+// returned. If it is no iterator, or one that takes something else, this class has the message, and writes nothing; so
+// do the classes below. They are where the type of what is written is known.
 template <typename Paths, typename OutputIterator>
 class Path_point_writer
 {
@@ -75,10 +77,14 @@ public:
   void operator()(const Element&... element)
   {
     if(m_points.next(element...))
-      *m_output++ = m_points.point();
+      if constexpr(Is_output_iterator<OutputIterator, const Point_3&>::value)
+        *m_output++ = m_points.point();
   }
 
 private:
+  using Point_3 = typename Paths::Point_3;
+  static_assert(Checked_output_iterator<OutputIterator, const Point_3&>::value, "always true, if it compiles");
+
   Path_points<Paths> m_points;
   OutputIterator m_output;
 };
@@ -99,10 +105,14 @@ public:
   void operator()(const Element&... element)
   {
     if(m_points.next(element...))
-      *m_output++ = std::make_pair(m_points.point(), m_face);
+      if constexpr(Is_output_iterator<OutputIterator, Value>::value)
+        *m_output++ = std::make_pair(m_points.point(), m_face);
   }
 
 private:
+  using Value = std::pair<typename Paths::Point_3, face_descriptor>;
+  static_assert(Checked_output_iterator<OutputIterator, Value>::value, "always true, if it compiles");
+
   Path_points<Paths> m_points;
   OutputIterator m_output;
   face_descriptor m_face = boost::graph_traits<typename Paths::Triangle_mesh>::null_face();
@@ -134,6 +144,15 @@ public:
   using face_descriptor = typename Structure::face_descriptor;
 
   static constexpr bool wants_faces = Wants_faces_of_segments<Visitor>::value;
+
+  // All three calls are compiled, whatever the path is, and each would have an error of its own, in another place. The
+  // first message names them together. (Visitors of the user have overloads; those of this file take everything.)
+  static_assert(std::is_invocable<Visitor&, vertex_descriptor&>::value
+                  && std::is_invocable<Visitor&, halfedge_descriptor&, FT>::value
+                  && std::is_invocable<Visitor&, face_descriptor&,
+                                       const typename Structure::Barycentric_coordinates&>::value,
+                "the visitor of a path has no operator() for each of: a vertex; a halfedge and a number; a face and "
+                "barycentric coordinates");
 
   Path_sequence_sink(const Structure& structure, Visitor& visitor) : m_structure(structure), m_visitor(visitor) {}
 
@@ -209,6 +228,8 @@ private:
   const Structure& m_structure;
 };
 
+// (The class for isolines of one run, in isolines/, writes a pair to the user, and gets its lines from this one.)
+//
 // Writes isolines as polylines, without a point twice in a row. A closed line ends with its first point. A line of one
 // point is not written. `structure.point(f, b)` gives the points, for coordinates in the order of the user's corners;
 // it is referred to.
@@ -233,10 +254,13 @@ public:
     if(is_closed)
       append(line, Point_3(line.front()));
     if(line.size() > 1)
-      *m_output++ = line;
+      if constexpr(Is_output_iterator<OutputIterator, std::vector<Point_3>&>::value)
+        *m_output++ = line;
   }
 
 private:
+  static_assert(Checked_output_iterator<OutputIterator, std::vector<Point_3>&>::value, "always true, if it compiles");
+
   // Appends a point unless the line ends with it.
   static void append(std::vector<Point_3>& line, const Point_3& p)
   {

@@ -26,6 +26,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Surface_locations.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/distance_functions.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/isolines/Isoline_sources.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/argument_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_values.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/path_visitors.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
@@ -255,11 +256,16 @@ bool compute_isolines(const TriangleMesh& tm, const Sources& sources, const std:
   if(!run.run(levels, wants_distances || wants_sources, visitor_parameter.visitor(), options.statistics))
     return false;
   using Points = Points_in_faces<TriangleMesh, decltype(vpm)>;
+  using Numbered_line = std::pair<std::size_t, std::vector<typename Points::Point_3>>;
+  static_assert(Checked_output_iterator<OutputIterator, Numbered_line>::value, "always true, if it compiles");
   const Points points{tm, vpm};
   for(std::size_t i = 0; i < levels.size(); ++i)
   {
     auto write = boost::make_function_output_iterator([&](const std::vector<typename Points::Point_3>& line)
-    { *output++ = std::pair<std::size_t, std::vector<typename Points::Point_3>>(i, line); });
+    {
+      if constexpr(Is_output_iterator<OutputIterator, Numbered_line>::value)
+        *output++ = Numbered_line(i, line);
+    });
     Isoline_writer<Points, decltype(write)> writer(points, write);
     run.for_each_line(levels[i], std::ref(writer));
   }
