@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Private_access.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/curves/border_cycles.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/curves/curve_segments.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/argument_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/map_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
@@ -146,10 +147,13 @@ public:
   {
     using Point = internal::Point_of_faces<TriangleMesh>;
     std::vector<Point> points;
-    if constexpr(internal::Is_vertex<TriangleMesh, Locations>::value
-                 || internal::Is_face_location<TriangleMesh, Locations>::value)
+    using Source = internal::Kind_of_places<TriangleMesh, Locations>;
+    static_assert(Source::is_place || Source::are_places,
+                  "a curve is made of a range of vertex descriptors, or of pairs of a face descriptor and three "
+                  "barycentric coordinates");
+    if constexpr(Source::is_place)
       points.push_back(Point(tm, locations, 0));
-    else
+    else if constexpr(Source::are_places)
       for(const auto& location : locations)
         points.push_back(Point(tm, location, points.size()));
     if(points.empty())
@@ -177,20 +181,23 @@ public:
   {
     Surface_curve curve;
     vertex_descriptor first = boost::graph_traits<TriangleMesh>::null_vertex(), last = first;
-    for(const halfedge_descriptor h : halfedges)
-    {
-      const std::size_t i = curve.m_segments.size();
-      if(h == boost::graph_traits<TriangleMesh>::null_halfedge())
-        internal::reject_curve(i, "is a null halfedge");
-      if(internal::Removed_elements<TriangleMesh>::contain(h, tm))
-        internal::reject_curve(i, "is not a halfedge of the mesh");
-      if(i == 0)
-        first = source(h, tm);
-      else if(source(h, tm) != last)
-        internal::reject_curve(i, "is a halfedge that does not begin where the one before ends");
-      last = target(h, tm);
-      curve.append_halfedge(tm, h, i);
-    }
+    constexpr bool are_halfedges = internal::Is_range_of<Halfedges, halfedge_descriptor>::value;
+    static_assert(are_halfedges, "the argument is not a range of halfedges of the mesh");
+    if constexpr(are_halfedges) // else the errors of the loop would follow the message
+      for(const halfedge_descriptor h : halfedges)
+      {
+        const std::size_t i = curve.m_segments.size();
+        if(h == boost::graph_traits<TriangleMesh>::null_halfedge())
+          internal::reject_curve(i, "is a null halfedge");
+        if(internal::Removed_elements<TriangleMesh>::contain(h, tm))
+          internal::reject_curve(i, "is not a halfedge of the mesh");
+        if(i == 0)
+          first = source(h, tm);
+        else if(source(h, tm) != last)
+          internal::reject_curve(i, "is a halfedge that does not begin where the one before ends");
+        last = target(h, tm);
+        curve.append_halfedge(tm, h, i);
+      }
     if(curve.m_segments.empty())
       internal::reject_curve(0, "is missing: a curve needs one location");
     curve.m_is_closed = first == last;
@@ -244,6 +251,9 @@ public:
   template <typename VertexPointMap>
   double length(const TriangleMesh& tm, VertexPointMap vertex_point_map) const
   {
+    using Point = typename internal::Value_of_map<VertexPointMap, vertex_descriptor>::type;
+    static_assert(internal::Is_point<Point>::value,
+                  "the argument is not a property map from the vertices of the mesh to points");
     double sum = 0;
     for(const Segment& s : m_segments)
     {

@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_geodesics/Surface_curve.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/curves/Nearest_places.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/distance_functions.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/argument_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_checks.h>
 #include <CGAL/Surface_mesh_geodesics/shortest_path_curve.h>
 
@@ -100,17 +101,23 @@ Surface_curve<TriangleMesh> polyline_curve(const TriangleMesh& tm, const Points&
   using Vertex_point_map = std::decay_t<decltype(vpm)>;
   using Point = typename boost::property_traits<Vertex_point_map>::value_type;
   using Location = typename Surface_curve<TriangleMesh>::Face_location;
-  static_assert(internal::Is_range_of<Points, Point>::value,
-                "the points of the polyline are a range of the points of the mesh");
-  const std::vector<Point> polyline(std::begin(points), std::end(points));
-  const auto fim = CGAL::get_initialized_face_index_map(tm, np);
-  const internal::Obstacles obstacles = internal::obstacles(tm, fim, np);
-  const internal::Nearest_places<TriangleMesh, Vertex_point_map> nearest(tm, vpm, obstacles, fim);
-  const bool is_closed = polyline.size() > 2 && polyline.front() == polyline.back();
-  std::vector<Location> places;
-  for(std::size_t i = 0; i < polyline.size() - (is_closed ? 1 : 0); ++i)
-    places.push_back(nearest.location(polyline[i]));
-  return shortest_path_curve(tm, places, is_closed, np);
+  constexpr bool are_points = internal::Is_range_of<Points, Point>::value;
+  static_assert(are_points, "the points of the polyline are a range of the points of the mesh");
+  if constexpr(!are_points) // else the errors of the loops would follow the message
+    return internal::Private_access::make<Surface_curve<TriangleMesh>>(
+      std::vector<typename Surface_curve<TriangleMesh>::Segment>(), false);
+  else
+  {
+    const std::vector<Point> polyline(std::begin(points), std::end(points));
+    const auto fim = CGAL::get_initialized_face_index_map(tm, np);
+    const internal::Obstacles obstacles = internal::obstacles(tm, fim, np);
+    const internal::Nearest_places<TriangleMesh, Vertex_point_map> nearest(tm, vpm, obstacles, fim);
+    const bool is_closed = polyline.size() > 2 && polyline.front() == polyline.back();
+    std::vector<Location> places;
+    for(std::size_t i = 0; i < polyline.size() - (is_closed ? 1 : 0); ++i)
+      places.push_back(nearest.location(polyline[i]));
+    return shortest_path_curve(tm, places, is_closed, np);
+  }
 }
 
 } // namespace Surface_mesh_geodesics

@@ -91,39 +91,48 @@ Surface_curve<TriangleMesh> shortest_path_curve(const TriangleMesh& tm, const Po
                                                 const CGAL_NP_CLASS& np = parameters::default_values())
 {
   using Curve = Surface_curve<TriangleMesh>;
-  using Place = std::decay_t<decltype(*std::begin(points))>;
-  static_assert(internal::are_places<TriangleMesh, Place>(), "see the message before");
   internal::check_parameters<internal::Pair_parameters>(tm, np);
-  const std::vector<Place> places(std::begin(points), std::end(points));
-  std::vector<internal::Point_of_faces<TriangleMesh>> ends;
-  for(const Place& p : places)
-    ends.emplace_back(tm, p, ends.size());
-  // The common face may be one to avoid.
-  constexpr bool avoids_faces = internal::Has_parameter<CGAL_NP_CLASS, internal_np::faces_to_avoid_t>::value;
-  if(places.size() < 2 && !avoids_faces)
-    return Curve(tm, places);
-  std::vector<typename Curve::Segment> segments;
-  internal::with_path_structure(tm, np, [&](auto& paths)
+  // Where the argument is something else, the errors of the loops would follow the message, so they are left out. (A
+  // single point is no range: such a curve is made by the constructor.)
+  constexpr bool are_places = internal::Kind_of_places<TriangleMesh, Points>::are_places;
+  static_assert(are_places, "the points are a range of vertex descriptors, or of pairs of a face descriptor and three "
+                            "barycentric coordinates");
+  if constexpr(!are_places)
+    return internal::Private_access::make<Curve>(std::vector<typename Curve::Segment>(), is_closed);
+  else
   {
-    if constexpr(avoids_faces)
-      internal::reject_points_inside(tm, ends, [&](auto f) { return paths.avoids_face(f); });
-    const std::size_t number_of_paths = places.size() < 2 ? 0 : places.size() - (is_closed ? 0 : 1);
-    for(std::size_t i = 0; i < number_of_paths; ++i)
+    using Place = std::decay_t<decltype(*std::begin(points))>;
+    const std::vector<Place> places(std::begin(points), std::end(points));
+    std::vector<internal::Point_of_faces<TriangleMesh>> ends;
+    for(const Place& p : places)
+      ends.emplace_back(tm, p, ends.size());
+    // The common face may be one to avoid.
+    constexpr bool avoids_faces = internal::Has_parameter<CGAL_NP_CLASS, internal_np::faces_to_avoid_t>::value;
+    if(places.size() < 2 && !avoids_faces)
+      return Curve(tm, places);
+    std::vector<typename Curve::Segment> segments;
+    internal::with_path_structure(tm, np, [&](auto& paths)
     {
-      const std::size_t j = (i + 1) % places.size();
-      if(avoids_faces || !internal::find_segment(tm, ends[i], ends[j], segments))
+      if constexpr(avoids_faces)
+        internal::reject_points_inside(tm, ends, [&](auto f) { return paths.avoids_face(f); });
+      const std::size_t number_of_paths = places.size() < 2 ? 0 : places.size() - (is_closed ? 0 : 1);
+      for(std::size_t i = 0; i < number_of_paths; ++i)
       {
-        using Paths = std::decay_t<decltype(paths)>;
-        internal::append_path(paths, internal::place_of<Paths, TriangleMesh>(places[i]),
-                              internal::place_of<Paths, TriangleMesh>(places[j]), i, segments);
-        if(Propagation_statistics* const statistics = internal::statistics_parameter(np))
-          statistics->add(paths.statistics());
+        const std::size_t j = (i + 1) % places.size();
+        if(avoids_faces || !internal::find_segment(tm, ends[i], ends[j], segments))
+        {
+          using Paths = std::decay_t<decltype(paths)>;
+          internal::append_path(paths, internal::place_of<Paths, TriangleMesh>(places[i]),
+                                internal::place_of<Paths, TriangleMesh>(places[j]), i, segments);
+          if(Propagation_statistics* const statistics = internal::statistics_parameter(np))
+            statistics->add(paths.statistics());
+        }
       }
-    }
-  });
-  if(segments.empty()) // all places are one point, or there is none
-    return Curve(tm, std::vector<Place>(places.begin(), places.begin() + (places.empty() ? 0 : 1)));
-  return internal::Private_access::make<Curve>(std::move(segments), is_closed);
+    });
+    if(segments.empty()) // all places are one point, or there is none
+      return Curve(tm, std::vector<Place>(places.begin(), places.begin() + (places.empty() ? 0 : 1)));
+    return internal::Private_access::make<Curve>(std::move(segments), is_closed);
+  }
 }
 
 } // namespace Surface_mesh_geodesics
