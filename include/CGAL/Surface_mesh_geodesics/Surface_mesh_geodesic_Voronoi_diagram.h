@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Arc_curve.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/curves/curve_segments.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Boundary_polylines.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Cell_energy.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Cell_topology.h>
@@ -24,6 +25,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Voronoi_cut_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Voronoi_handles.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/measure_cells.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/argument_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/map_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
@@ -158,6 +160,8 @@ template <typename Traits, typename VIM = Default, typename HIM = Default, typen
           typename VPM = Default, typename ConcurrencyTag = Sequential_tag>
 class Surface_mesh_geodesic_Voronoi_diagram
 {
+  static_assert(Surface_mesh_geodesics::internal::Checked_traits_class<Traits>::value, "always true, if it compiles");
+
 public:
   /// \name Types
   /// @{
@@ -227,6 +231,11 @@ private:
   static_assert(Surface_mesh_geodesics::internal::Maps_of_class<Triangle_mesh, Point_3, Vertex_index_map,
                                                                 Face_index_map, Vertex_point_map>::value,
                 "always true, if it compiles");
+
+  template <typename Output, typename Value>
+  using Is_output_iterator = Surface_mesh_geodesics::internal::Is_output_iterator<Output, Value>;
+  template <typename Output, typename Value>
+  using Checked_output_iterator = Surface_mesh_geodesics::internal::Checked_output_iterator<Output, Value>;
 
   using Self = Surface_mesh_geodesic_Voronoi_diagram;
   using Elements = Surface_mesh_geodesics::internal::Voronoi_handles<Self>;
@@ -345,6 +354,7 @@ public:
       CGAL_precondition_msg(tolerance > 0, "the tolerance is not positive");
       const auto& lazy = m_diagram->m_lazy;
       const auto face = arc().face;
+      static_assert(Checked_output_iterator<OutputIterator, Face_location>::value, "always true, if it compiles");
       *output++ = lazy.location(face, arc().first);
       Curve(arc()).sample(tolerance / lazy.unit(), [&](const Planar& p) { *output++ = lazy.location(face, p); });
       return output;
@@ -438,7 +448,11 @@ public:
     template <typename OutputIterator>
     OutputIterator polyline(double tolerance, OutputIterator output) const
     {
-      return m_diagram->elements().write_polyline(m_index, tolerance, output);
+      static_assert(Checked_output_iterator<OutputIterator, Point_3>::value, "always true, if it compiles");
+      if constexpr(!Is_output_iterator<OutputIterator, Point_3>::value)
+        return output;
+      else
+        return m_diagram->elements().write_polyline(m_index, tolerance, output);
     }
 
     /// returns the number of the edge: its position in `Surface_mesh_geodesic_Voronoi_diagram::edges()`.
@@ -584,6 +598,8 @@ public:
 #endif
   Site_index add_site(const Curve& curve, const FT& weight = FT(0))
   {
+    static_assert(Surface_mesh_geodesics::internal::Checked_curve<Triangle_mesh, Curve>::value,
+                  "always true, if it compiles");
     return m_lazy.add_site(curve, weight);
   }
 
@@ -596,9 +612,16 @@ public:
   template <typename Sites>
   Site_index add_sites(const Sites& sites)
   {
+    using Range = Surface_mesh_geodesics::internal::Kind_of_places<Triangle_mesh, Sites>;
+    constexpr bool are_sites = Range::are_places
+                               || (Surface_mesh_geodesics::internal::Are_curves<Sites>::value
+                                   && !Surface_mesh_geodesics::internal::Is_curve<Sites>::value);
+    static_assert(are_sites, "the sites are a range of vertices, of objects of the type Face_location, or of curves; "
+                             "for a single site, call add_site()");
     const Site_index first = number_of_sites();
-    for(const auto& s : sites)
-      add_site(s);
+    if constexpr(are_sites) // else the errors of the loop would follow the message
+      for(const auto& s : sites)
+        add_site(s);
     return first;
   }
 
@@ -811,8 +834,10 @@ public:
   template <typename OutputIterator>
   OutputIterator nearest_sites(vertex_descriptor v, OutputIterator output) const
   {
-    for(const Site_index i : m_lazy.nearest_sites(v))
-      *output++ = i;
+    static_assert(Checked_output_iterator<OutputIterator, const Site_index&>::value, "always true, if it compiles");
+    if constexpr(Is_output_iterator<OutputIterator, const Site_index&>::value)
+      for(const Site_index i : m_lazy.nearest_sites(v))
+        *output++ = i;
     return output;
   }
 
@@ -826,8 +851,10 @@ public:
   template <typename OutputIterator>
   OutputIterator nearest_sites(const Face_location& location, OutputIterator output) const
   {
-    for(const Site_index i : m_lazy.nearest_sites(location.first, location.second))
-      *output++ = i;
+    static_assert(Checked_output_iterator<OutputIterator, const Site_index&>::value, "always true, if it compiles");
+    if constexpr(Is_output_iterator<OutputIterator, const Site_index&>::value)
+      for(const Site_index i : m_lazy.nearest_sites(location.first, location.second))
+        *output++ = i;
     return output;
   }
 
@@ -1047,11 +1074,14 @@ public:
   template <typename OutputIterator>
   OutputIterator dual(OutputIterator output) const
   {
+    using Triple = std::array<Site_index, 3>;
+    static_assert(Checked_output_iterator<OutputIterator, Triple>::value, "always true, if it compiles");
     build();
     for(const auto& node : m_lazy.complex().nodes())
       if(node.is_vertex())
-        *output++ = std::array<Site_index, 3>{m_lazy.site_at(node.sites[0]), m_lazy.site_at(node.sites[1]),
-                                              m_lazy.site_at(node.sites[2])};
+        if constexpr(Is_output_iterator<OutputIterator, Triple>::value)
+          *output++ = Triple{m_lazy.site_at(node.sites[0]), m_lazy.site_at(node.sites[1]),
+                             m_lazy.site_at(node.sites[2])};
     return output;
   }
 
@@ -1107,6 +1137,7 @@ public:
     using parameters::choose_parameter;
     using parameters::get_parameter;
     Surface_mesh_geodesics::internal::check_parameters<Surface_mesh_geodesics::internal::Output_mesh_parameters>(np);
+    Surface_mesh_geodesics::internal::check_output_mesh<OutputMesh, FaceSiteMap, Site_index>();
     CGAL_precondition_msg(tolerance > 0, "the tolerance is not positive");
     build();
     auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
@@ -1159,6 +1190,7 @@ public:
     using parameters::choose_parameter;
     using parameters::get_parameter;
     Surface_mesh_geodesics::internal::check_parameters<Surface_mesh_geodesics::internal::Output_mesh_parameters>(np);
+    Surface_mesh_geodesics::internal::check_output_mesh<OutputMesh, FaceFaceMap, face_descriptor>();
     CGAL_precondition_msg(tolerance > 0, "the tolerance is not positive");
     auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                 get_property_map(CGAL::vertex_point, output));

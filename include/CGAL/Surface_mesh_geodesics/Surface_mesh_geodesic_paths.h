@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Lazy_path_structure.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Surface_locations.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/isolines/Isoline_choice.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/argument_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/map_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/path_visitors.h>
 
@@ -171,6 +172,8 @@ template <typename Traits, typename VIM = Default, typename HIM = Default, typen
           typename VPM = Default, typename ConcurrencyTag = Sequential_tag>
 class Surface_mesh_geodesic_paths
 {
+  static_assert(Surface_mesh_geodesics::internal::Checked_traits_class<Traits>::value, "always true, if it compiles");
+
 public:
   /// \name Types
   /// @{
@@ -359,6 +362,8 @@ public:
   Source_point_iterator add_source_curve(const Curve& curve, double offset = 0)
   {
     static_assert(Surface_mesh_geodesics::internal::Is_curve<Curve>::value, "the argument is not a Surface_curve");
+    static_assert(Surface_mesh_geodesics::internal::Checked_curve<Triangle_mesh, Curve>::value,
+                  "always true, if it compiles");
     return m_structure.add_source_curve(curve, offset);
   }
 
@@ -572,7 +577,12 @@ public:
   template <typename VertexDistanceMap>
   void shortest_distances_to_source_points(VertexDistanceMap vertex_distance_map) const
   {
-    m_structure.write_distances(vertex_distance_map);
+    constexpr bool is_map
+      = Surface_mesh_geodesics::internal::Is_map_for_numbers<VertexDistanceMap, vertex_descriptor>::value;
+    static_assert(is_map, "distances cannot be written to this argument; it is a property map from the vertices of the "
+                          "mesh to numbers");
+    if constexpr(is_map)
+      m_structure.write_distances(vertex_distance_map);
   }
 
   /// returns the vertex that is farthest from the source points among those that they reach, and its
@@ -813,7 +823,12 @@ public:
   template <typename VertexDirectionMap>
   void directions_at_source(VertexDirectionMap vertex_direction_map) const
   {
-    m_structure.write_directions(vertex_direction_map);
+    constexpr bool is_map
+      = Surface_mesh_geodesics::internal::Is_map_for_numbers<VertexDirectionMap, vertex_descriptor>::value;
+    static_assert(is_map, "directions cannot be written to this argument; it is a property map from the vertices of "
+                          "the mesh to numbers");
+    if constexpr(is_map)
+      m_structure.write_directions(vertex_direction_map);
   }
 
   /// @}

@@ -13,6 +13,7 @@
 #include <CGAL/license/Surface_mesh_geodesics.h>
 
 #include <CGAL/Surface_mesh_geodesics/internal/applications/drawing/Cell_coloring.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/argument_checks.h>
 
 #include <CGAL/IO/Color.h>
 
@@ -52,6 +53,7 @@ addition to the time of `Surface_mesh_geodesic_Voronoi_diagram::build()` if the 
 template <typename Diagram>
 std::vector<IO::Color> geodesic_Voronoi_cell_colors(const Diagram& diagram)
 {
+  static_assert(internal::Checked_diagram<Diagram>::value, "always true, if it compiles");
   return internal::cell_colors(diagram);
 }
 

@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_geodesics/geodesic_Lloyd_relaxation.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_farthest_point_sampling.h>
 #include <CGAL/Surface_mesh_geodesics/internal/applications/Remeshing.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/argument_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
 
@@ -171,6 +172,7 @@ well, farther inside.
 template <typename Diagram>
 Geodesic_dual_report check_geodesic_dual(const Diagram& diagram)
 {
+  static_assert(internal::Checked_diagram<Diagram>::value, "always true, if it compiles");
   return internal::Dual_check<Diagram, Geodesic_dual_report>(diagram).report();
 }
 
@@ -196,6 +198,8 @@ Complexity and thread safety are those of `check_geodesic_dual()`; each call nee
 template <typename Diagram, typename OutputMesh>
 Geodesic_dual_report geodesic_dual_mesh(const Diagram& diagram, OutputMesh& output)
 {
+  static_assert(internal::Checked_diagram<Diagram>::value, "always true, if it compiles");
+  static_assert(internal::Checked_output_mesh<OutputMesh>::value, "always true, if it compiles");
   return internal::add_dual_mesh<Geodesic_dual_report>(diagram, output);
 }
 
@@ -307,6 +311,7 @@ Geodesic_remeshing_report geodesic_remeshing(const TriangleMesh& tm, std::size_t
                                              const CGAL_NP_CLASS& np = parameters::default_values())
 {
   internal::check_parameters<internal::Remeshing_parameters>(tm, np);
+  static_assert(internal::Checked_output_mesh<OutputMesh>::value, "always true, if it compiles");
   internal::Visitor_parameter<CGAL_NP_CLASS> visitor(np);
   return internal::remesh<Surface_mesh_geodesic_Voronoi_diagram, ConcurrencyTag, Geodesic_remeshing_report>(
     tm, n, output, visitor.visitor(), np);

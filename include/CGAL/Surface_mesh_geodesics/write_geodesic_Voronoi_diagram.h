@@ -14,6 +14,7 @@
 
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_Voronoi_diagram.h>
 #include <CGAL/Surface_mesh_geodesics/internal/applications/drawing/diagram_writers.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/argument_checks.h>
 
 #include <ostream>
 #include <string>
@@ -49,6 +50,7 @@ of its own.
 template <typename Diagram>
 bool write_geodesic_Voronoi_diagram_OBJ(std::ostream& os, const Diagram& diagram, double tolerance)
 {
+  static_assert(internal::Checked_diagram<Diagram>::value, "always true, if it compiles");
   return internal::write_diagram_OBJ(os, diagram, tolerance);
 }
 
@@ -68,6 +70,7 @@ calls `write_geodesic_Voronoi_diagram_OBJ()` with the default tolerance,
 template <typename Diagram>
 bool write_geodesic_Voronoi_diagram_OBJ(std::ostream& os, const Diagram& diagram)
 {
+  static_assert(internal::Checked_diagram<Diagram>::value, "always true, if it compiles");
   return write_geodesic_Voronoi_diagram_OBJ(os, diagram, diagram.default_tolerance());
 }
 
@@ -105,6 +108,7 @@ The complexity is that of `Surface_mesh_geodesic_Voronoi_diagram::cut()`. Thread
 template <typename Diagram>
 bool write_geodesic_Voronoi_diagram_PLY(std::ostream& os, const Diagram& diagram, double tolerance)
 {
+  static_assert(internal::Checked_diagram<Diagram>::value, "always true, if it compiles");
   return internal::write_diagram_PLY(os, diagram, tolerance);
 }
 
@@ -124,6 +128,7 @@ calls `write_geodesic_Voronoi_diagram_PLY()` with the default tolerance,
 template <typename Diagram>
 bool write_geodesic_Voronoi_diagram_PLY(std::ostream& os, const Diagram& diagram)
 {
+  static_assert(internal::Checked_diagram<Diagram>::value, "always true, if it compiles");
   return write_geodesic_Voronoi_diagram_PLY(os, diagram, diagram.default_tolerance());
 }
 
@@ -157,6 +162,7 @@ The complexity is that of `Surface_mesh_geodesic_Voronoi_diagram::cut()`. Thread
 template <typename Diagram>
 bool write_geodesic_Voronoi_diagram_VTK(std::ostream& os, const Diagram& diagram, double tolerance)
 {
+  static_assert(internal::Checked_diagram<Diagram>::value, "always true, if it compiles");
   return internal::write_diagram_VTK(os, diagram, tolerance);
 }
 
@@ -176,6 +182,7 @@ calls `write_geodesic_Voronoi_diagram_VTK()` with the default tolerance,
 template <typename Diagram>
 bool write_geodesic_Voronoi_diagram_VTK(std::ostream& os, const Diagram& diagram)
 {
+  static_assert(internal::Checked_diagram<Diagram>::value, "always true, if it compiles");
   return write_geodesic_Voronoi_diagram_VTK(os, diagram, diagram.default_tolerance());
 }
 
@@ -207,6 +214,7 @@ Complexity and thread safety are those of the function for the format.
 template <typename Diagram>
 bool write_geodesic_Voronoi_diagram(const std::string& filename, const Diagram& diagram, double tolerance)
 {
+  static_assert(internal::Checked_diagram<Diagram>::value, "always true, if it compiles");
   return internal::write_diagram_file(filename, diagram, tolerance);
 }
 
@@ -226,6 +234,7 @@ calls `write_geodesic_Voronoi_diagram()` with the default tolerance,
 template <typename Diagram>
 bool write_geodesic_Voronoi_diagram(const std::string& filename, const Diagram& diagram)
 {
+  static_assert(internal::Checked_diagram<Diagram>::value, "always true, if it compiles");
   return write_geodesic_Voronoi_diagram(filename, diagram, diagram.default_tolerance());
 }
 

@@ -14,6 +14,8 @@
 // vertices. The triangles form a manifold of the topology of the surface only if the cells are small enough; Dual_check
 // finds what is in the way.
 
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/argument_checks.h>
+
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/properties.h>
@@ -151,6 +153,7 @@ void add_dual_triangles(const Diagram& diagram, const std::vector<std::array<std
 {
   using Point = typename boost::property_traits<
     typename boost::property_map<OutputMesh, CGAL::vertex_point_t>::type>::value_type;
+  static_assert(!Is_of_the_plane<Point>::value, "the points of the output are points of the plane");
   CGAL_expensive_assertion(Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(triangles));
   std::vector<Point> points;
   std::vector<std::size_t> index_of_point(diagram.number_of_sites(), Diagram::null_site());

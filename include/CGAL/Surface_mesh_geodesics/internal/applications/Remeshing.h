@@ -32,6 +32,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/applications/Sample_placement.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Intrinsic_surface.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/distance_functions.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/argument_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_values.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
 
@@ -147,6 +148,7 @@ public:
   {
     using Output_point = typename boost::property_traits<
       typename boost::property_map<OutputMesh, CGAL::vertex_point_t>::type>::value_type;
+    static_assert(!Is_of_the_plane<Output_point>::value, "the points of the output are points of the plane");
     std::vector<Output_point> points;
     for(const Point& p : m_points)
       points.push_back(Output_point(p.x(), p.y(), p.z()));

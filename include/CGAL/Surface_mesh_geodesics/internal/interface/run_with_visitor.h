@@ -103,14 +103,22 @@ private:
 template <typename Visitor, typename Run>
 bool run_with_visitor(Visitor& visitor, std::size_t number_of_vertices, Run run)
 {
-  visitor.on_propagation_begin(number_of_vertices);
-  const bool is_complete = run([&visitor](std::size_t number_of_visits, double distance)
+  // A visitor among the named parameters has been checked before; those of classes are arguments, and come here first.
+  // One message is enough, so the calls are left out then.
+  static_assert(Is_visitor<Visitor>::value, "the visitor is not a model of GeodesicPropagationVisitor");
+  if constexpr(!Is_visitor<Visitor>::value)
+    return false;
+  else
   {
-    visitor.on_progress(number_of_visits, distance);
-    return visitor.go_further();
-  });
-  visitor.on_propagation_end();
-  return is_complete;
+    visitor.on_propagation_begin(number_of_vertices);
+    const bool is_complete = run([&visitor](std::size_t number_of_visits, double distance)
+    {
+      visitor.on_progress(number_of_visits, distance);
+      return visitor.go_further();
+    });
+    visitor.on_propagation_end();
+    return is_complete;
+  }
 }
 
 // A go_on() of any type, as above: one type for all visitors, so that the text of the propagation is compiled once for
