@@ -180,6 +180,37 @@ void small_components_stay()
   CHECK(check_topology(two_components_and_an_isolated_vertex(), 7).kept_components.empty());
 }
 
+// Where all points of a component are equal, or on a line, no cell has an area, and there is no dual. Such a component
+// stays, alone or next to a torus that has a dual.
+void components_without_area_stay()
+{
+  const auto point = [](const Coordinates&) { return Coordinates{5, 5, 5}; };
+  const auto line = [](const Coordinates& p) { return Coordinates{p[0] + 5, 5, 5}; };
+  const auto two_points = [](const Coordinates& p) { return Coordinates{p[0] < 3 ? 5. : 7., 5, 5}; };
+  for(const Indexed_mesh& flat : {flat_patch(6, 6, 0., false, 1), torus(1., .4, 8, 6)})
+    for(const Indexed_mesh& without_area : {transformed(flat, "a point", point), transformed(flat, "a line", line),
+                                            transformed(flat, "two points", two_points)})
+      for(const Indexed_mesh& indexed : {without_area,
+                                         side_by_side(torus(1., .4, 20, 10), without_area, "beside a torus")})
+        for(const std::size_t n : {0u, 1u, 3u, 5u, 40u})
+        {
+          const test_support::Scope scope(flat.name + ", " + without_area.name + ", " + indexed.name + ", "
+                                          + std::to_string(n) + " samples");
+          const Mesh mesh = to_face_graph(indexed);
+          Mesh output;
+          const Report report = Geodesics::geodesic_remeshing(mesh, n, output);
+          CHECK(report.is_complete && CGAL::is_valid_polygon_mesh(output));
+          CHECK(topology_of_components(output) == topology_of_components(mesh));
+          CHECK_EQUAL(report.number_of_vertices, num_vertices(output));
+          CHECK_EQUAL(report.kept_components.size(), std::size_t(1));
+          CHECK(report.kept_components.empty()
+                || report.kept_components[0].number_of_faces == without_area.faces.size());
+          CHECK_EQUAL(std::count_if(faces(output).begin(), faces(output).end(),
+                                    [&](auto f) { return !has_area(output, f); }),
+                      static_cast<std::ptrdiff_t>(without_area.faces.size()));
+        }
+}
+
 // Two squares that share a vertex, and two spheres that do: each umbrella gets a vertex of its own.
 void pinched_vertices_are_split()
 {
@@ -213,6 +244,7 @@ int main()
   samples_on_the_border_stay();
   meshes_without_further_vertices_stay();
   small_components_stay();
+  components_without_area_stay();
   pinched_vertices_are_split();
   faces_with_equal_corners_are_divided();
   return test_result();

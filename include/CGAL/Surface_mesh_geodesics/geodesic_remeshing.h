@@ -138,7 +138,8 @@ struct Geodesic_remeshing_report
   /// the number of components that stay as they are because each of their vertices became a sample at once.
   std::size_t number_of_components_of_samples = 0;
 
-  /// the components that stay as they are because their dual would need as many samples as they have vertices.
+  /// the components that stay as they are because their dual would need as many samples as they have vertices, or
+  /// because they have none: all their points are equal, or on a line.
   std::vector<Kept_component> kept_components;
 
   /// the number of diagrams that were computed after the relaxation.
@@ -222,8 +223,9 @@ of a component of `tm`. It has no triangle without area, unless the component st
 several umbrellas of faces, it counts as a mesh with a vertex for each umbrella.)
 
 <b>Components that stay as they are.</b> If each vertex of a component would be a sample, its faces are copied. That
-holds for components with few vertices, and for each mesh if `n` is at least the number of its vertices. The report
-tells where a component stays as it is although fewer samples were asked for.
+holds for components with few vertices, and for each mesh if `n` is at least the number of its vertices. The faces are
+also copied if all points of a component are equal, or on a line, as it has no dual then. The report tells where a
+component stays as it is although fewer samples were asked for.
 
 <b>Faces to avoid</b> are left out, as if `tm` did not have them: the new mesh has a border along their rim. Without
 them, `tm` may have more components, and more vertices with several umbrellas.

@@ -21,7 +21,8 @@
 // needles, which are so thin that samples all along would be more than the vertices.
 //
 // Components are independent of each other. Each one ends in one of two ways: its dual is manifold and has the topology
-// of the component; or the component keeps its faces, as it would need as many samples as it has vertices.
+// of the component; or the component keeps its faces, as it would need as many samples as it has vertices, or as it has
+// no area and so no dual.
 //
 // One visitor follows all propagations; once it cancels one, no further one starts.
 
@@ -195,8 +196,11 @@ private:
     {
       if(m_is_done[c])
         continue;
-      // The report has no finding here, except that the triangles may fail for a reason that no list shows.
-      if(number_of_new[c] == 0 && Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(triangles[c]))
+      // The report has no finding here, except that the triangles may fail for a reason that no list shows. Where the
+      // points of a component are on a line, its cells are empty, so there are neither findings nor triangles. CGAL
+      // takes no triangles for a polygon mesh, and the component would be lost.
+      if(number_of_new[c] == 0 && !triangles[c].empty()
+         && Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(triangles[c]))
         finish(c, diagram, triangles[c]);
       else if(number_of_new[c] == 0 || m_report.number_of_rounds == largest_number_of_rounds
               || m_number_of_samples[c] + number_of_new[c] >= m_input.components()[c].number_of_vertices)
@@ -259,8 +263,8 @@ private:
     m_is_done[c] = true;
   }
 
-  // Keeps a component whose dual needs too many samples, and reports where it is: its first point, as a component has
-  // no name that the user knows.
+  // Keeps a component that has no dual, or whose dual needs too many samples. Reports where it is: its first point, as
+  // a component has no name that the user knows.
   void give_up(std::size_t c)
   {
     const auto& faces = m_input.components()[c].faces;
