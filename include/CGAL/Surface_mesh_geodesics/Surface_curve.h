@@ -149,8 +149,8 @@ public:
     std::vector<Point> points;
     using Source = internal::Kind_of_places<TriangleMesh, Locations>;
     static_assert(Source::is_place || Source::are_places,
-                  "a curve is made of a range of vertex descriptors, or of pairs of a face descriptor and three "
-                  "barycentric coordinates");
+                  "the argument is not what a curve is made of: a range of vertex descriptors, or of pairs of a face "
+                  "descriptor and three barycentric coordinates");
     if constexpr(Source::is_place)
       points.push_back(Point(tm, locations, 0));
     else if constexpr(Source::are_places)

@@ -612,12 +612,13 @@ public:
   template <typename Sites>
   Site_index add_sites(const Sites& sites)
   {
-    using Range = Surface_mesh_geodesics::internal::Kind_of_places<Triangle_mesh, Sites>;
-    constexpr bool are_sites = Range::are_places
-                               || (Surface_mesh_geodesics::internal::Are_curves<Sites>::value
-                                   && !Surface_mesh_geodesics::internal::Is_curve<Sites>::value);
-    static_assert(are_sites, "the sites are a range of vertices, of objects of the type Face_location, or of curves; "
-                             "for a single site, call add_site()");
+    using Surface_mesh_geodesics::internal::Is_range_of;
+    constexpr bool are_sites
+      = Is_range_of<Sites, vertex_descriptor>::value || Is_range_of<Sites, Face_location>::value
+     || (Surface_mesh_geodesics::internal::Are_curves<Sites>::value
+         && !Surface_mesh_geodesics::internal::Is_curve<Sites>::value);
+    static_assert(are_sites, "the sites are not a range of vertices, of objects of the type Face_location, or of "
+                             "curves; for a single site, call add_site()");
     const Site_index first = number_of_sites();
     if constexpr(are_sites) // else the errors of the loop would follow the message
       for(const auto& s : sites)
@@ -823,8 +824,8 @@ public:
   /// `nearest_site()` returns one of these sites, unless several points are equally near. Then the sites at one of
   /// these points are written; `arcs()` and `vertices()` know the others.
   ///
-  /// Takes the time of `nearest_site()`, plus time linear in the number of faces at sites if all of these are points,
-  /// or in the number of windows on the edges of a face and of bends of the path if there are curves.
+  /// Takes the time of `nearest_site()`, plus time linear in the number of sites if all of them are points, or in the
+  /// number of windows on the edges of a face and of bends of the path if there are curves.
   ///
   /// \tparam OutputIterator a model of `OutputIterator` that takes `Site_index`
   /// \param v a vertex of the mesh

@@ -168,7 +168,7 @@ std::size_t geodesic_Lloyd_relaxation(const TriangleMesh& tm, const VertexRange&
   internal::check_parameters<internal::Relaxation_parameters>(tm, np);
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   constexpr bool are_vertices = internal::Is_range_of<VertexRange, vertex_descriptor>::value;
-  static_assert(are_vertices, "the sites are a range of vertices of the mesh");
+  static_assert(are_vertices, "the sites are not a range of vertices of the mesh");
   static_assert(internal::Checked_output_iterator<OutputIterator, vertex_descriptor&>::value,
                 "always true, if it compiles");
   internal::Visitor_parameter<CGAL_NP_CLASS> visitor_parameter(np);

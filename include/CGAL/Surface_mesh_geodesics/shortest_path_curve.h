@@ -95,8 +95,8 @@ Surface_curve<TriangleMesh> shortest_path_curve(const TriangleMesh& tm, const Po
   // Where the argument is something else, the errors of the loops would follow the message, so they are left out. (A
   // single point is no range: such a curve is made by the constructor.)
   constexpr bool are_places = internal::Kind_of_places<TriangleMesh, Points>::are_places;
-  static_assert(are_places, "the points are a range of vertex descriptors, or of pairs of a face descriptor and three "
-                            "barycentric coordinates");
+  static_assert(are_places, "the points are not a range of vertex descriptors, or of pairs of a face descriptor and "
+                            "three barycentric coordinates");
   if constexpr(!are_places)
     return internal::Private_access::make<Curve>(std::vector<typename Curve::Segment>(), is_closed);
   else

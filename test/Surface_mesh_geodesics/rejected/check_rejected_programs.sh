@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Checks that wrong arguments and wrong maps do not compile, and that the first message of the compiler says why. Each case is a call
-# and words of the message. The first case is right, so that no other one fails for a reason of its own.
+# Checks that wrong arguments and wrong maps do not compile, and that the first message of the compiler says why. Each
+# case is a call and words of the message. The first case is right, so that no other one fails for a reason of its own.
 # usage: check_rejected_programs.sh COMPILER WORK_FOLDER [options of the compiler]
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../.." && pwd)
@@ -304,20 +304,20 @@ for call in 'geodesic_distance_matrix(tm, vertices, std::vector<Point>(), [](std
   'geodesic_distance_matrix(tm, vertices, vertices[0], [](std::size_t, const std::vector<double>&) {})' \
   'symmetric_geodesic_distance_matrix(tm, std::vector<Point>(), [](std::size_t, const std::vector<double>&) {})' \
   'geodesic_peeling_order(tm, std::vector<Point>())'; do
-  expect "are a range of vertices of the mesh" "$call"
+  expect "are not a range of vertices of the mesh" "$call"
 done
-expect "the sites are a range of vertices of the mesh" "std::vector<Vertex> p; geodesic_Lloyd_relaxation(tm, std::vector<Point>(), std::back_inserter(p))"
+expect "the sites are not a range of vertices of the mesh" "std::vector<Vertex> p; geodesic_Lloyd_relaxation(tm, std::vector<Point>(), std::back_inserter(p))"
 expect '' "$diagram.add_sites(vertices); $diagram.add_sites(std::vector<Surface_curve<Mesh>>())"
-expect "the sites are a range of vertices" "$diagram.add_sites(std::vector<Point>())"
+expect "the sites are not a range of vertices" "$diagram.add_sites(std::vector<Point>())"
 expect "for a single site, call add_site()" "$diagram.add_sites(vertices[0])"
 
 # Curves: made of other things, or on another mesh.
 expect '' "Surface_curve<Mesh> c(tm, vertices); shortest_path_curve(tm, vertices)"
-expect "a curve is made of a range of vertex descriptors" "Surface_curve<Mesh> c(tm, std::vector<Point>())"
-expect "a curve is made of a range of vertex descriptors" "Surface_curve<Mesh> c(tm, 3)"
+expect "what a curve is made of: a range of vertex descriptors" "Surface_curve<Mesh> c(tm, std::vector<Point>())"
+expect "what a curve is made of: a range of vertex descriptors" "Surface_curve<Mesh> c(tm, 3)"
 expect "is not a range of halfedges" "Surface_curve<Mesh>::along_halfedges(tm, std::vector<Edge>())"
-expect "the points are a range of vertex descriptors" "shortest_path_curve(tm, std::vector<Point>())"
-expect "the points are a range of vertex descriptors" "shortest_path_curve(tm, vertices[0], vertices[1])"
+expect "the points are not a range of vertex descriptors" "shortest_path_curve(tm, std::vector<Point>())"
+expect "the points are not a range of vertex descriptors" "shortest_path_curve(tm, vertices[0], vertices[1])"
 expect "are a range of the points of the mesh" "polyline_curve(tm, Point())"
 expect "from the vertices of the mesh to points" "some<Surface_curve<Mesh>>().length(tm, distance)"
 other_curve='some<Surface_curve<Polyhedron>>()'

@@ -100,8 +100,8 @@ struct Face_division
 // after fewer steps than it has fronts, whatever the distances are.
 //
 // Cost: at most quadratic in the number of breakpoints, counted in traces (Front_tracer::trace()); a face that one
-// curve crosses needs one trace. There are at most as many steps as breakpoints. A step that connects two fronts takes
-// time linear in their number, in general; one that joins fronts also sorts them by their sites.
+// curve crosses needs one trace. There are at most as many steps as breakpoints. A step takes time linear in the number
+// of fronts; where it searches for many partners, it also sorts the fronts by their sites.
 template <typename FT_>
 class Face_partition
 {

@@ -228,12 +228,11 @@ private:
   using Runner = Repeated_propagation<Propagation>;
   using Curve_runner = Curve_run<FT, Rules>;
 
-  // The distance of a vertex of the intrinsic mesh, in its unit, after the last run of either kind. Before the first
-  // run and after one that failed no vertex is reached.
+  // That of the last run, of either kind.
   const Vertex_distance_field<FT>& field() const { return m_curve_run ? m_curve_run->field() : m_runner.field(); }
 
-  // The same as above, where source_of(i) tells the source of vertex i, or the vertex at the first bend of a path from
-  // the inside of a segment, which has the same foot.
+  // What the public functions of this name return, where source_of(i) tells the source of vertex i, or the vertex at
+  // the first bend of a path from the inside of a segment, which has the same foot.
   template <typename SourceOf>
   std::size_t nearest_source(vertex_descriptor v, SourceOf source_of) const
   {
@@ -244,6 +243,8 @@ private:
     return m_curve_run ? m_curve_run->foot(source).curve : m_numbers.number_at(source);
   }
 
+  // The distance of a vertex of the intrinsic mesh, in its unit, after the last run of either kind. Before the first
+  // run and after one that failed no vertex is reached.
   FT distance_of(Vertex_id v) const { return m_curve_run ? m_curve_run->distance(v) : m_runner.distance(v); }
 
   // What runs of both kinds have in common: limits, the visitor, the statistics, and what happens if something throws.

@@ -149,8 +149,10 @@ public:
   // first message names them together. (Visitors of the user have overloads; those of this file take everything.)
   static_assert(std::is_invocable<Visitor&, vertex_descriptor&>::value
                   && std::is_invocable<Visitor&, halfedge_descriptor&, FT>::value
-                  && std::is_invocable<Visitor&, face_descriptor&,
-                                       const typename Structure::Barycentric_coordinates&>::value,
+                  && (std::is_invocable<Visitor&, face_descriptor&,
+                                        const typename Structure::Barycentric_coordinates&>::value
+                      || std::is_invocable<Visitor&, face_descriptor&,
+                                           typename Structure::Barycentric_coordinates>::value),
                 "the visitor of a path has no operator() for each of: a vertex; a halfedge and a number; a face and "
                 "barycentric coordinates");
 

@@ -146,9 +146,8 @@ struct Is_range_of_sources
 
 template <typename TriangleMesh, typename Sources>
 struct Is_range_of_sources<TriangleMesh, Sources,
-                           std::void_t<decltype(*std::begin(std::declval<const Sources&>())),
-                                       decltype(std::end(std::declval<const Sources&>()))>>
-  : Is_source<TriangleMesh, std::decay_t<decltype(*std::begin(std::declval<const Sources&>()))>>
+                           std::void_t<Element_of_range<Sources>>>
+  : Is_source<TriangleMesh, std::decay_t<Element_of_range<Sources>>>
 {};
 
 // Calls visit(source) for a single source, or for each source of a range, in its order. Callers pass the same range
@@ -168,7 +167,7 @@ void for_each_source(const Sources& sources, Visit visit)
                   "a curve; several sources are a range of these");
     if constexpr(Is_range_of_sources<TriangleMesh, Sources>::value)
     {
-      using Source = std::decay_t<decltype(*std::begin(sources))>;
+      using Source = std::decay_t<Element_of_range<Sources>>;
       static_assert(Checked_curve<TriangleMesh, Source>::value, "always true, if it compiles");
       for(const auto& source : sources)
         visit(source);

@@ -56,7 +56,7 @@ struct Kind_of_places<TriangleMesh, Sources, std::enable_if_t<Is_range_of_source
   static constexpr bool is_place
     = Is_vertex<TriangleMesh, Sources>::value || Is_face_location<TriangleMesh, Sources>::value;
   static constexpr bool are_places
-    = !Is_curve<std::decay_t<decltype(*std::begin(std::declval<const Sources&>()))>>::value;
+    = !Is_curve<std::decay_t<Element_of_range<Sources>>>::value;
 };
 
 // Throws for a curve that is none. `position` is that of the location in the range of the user; `fault` ends the

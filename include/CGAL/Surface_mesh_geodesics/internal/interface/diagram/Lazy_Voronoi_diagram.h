@@ -365,8 +365,8 @@ public:
     build();
     if(m_solver.has_curves())
       return sites_at_end_of_path(m_solver, m_solver.arrival(m_solver.nearest_side(query(place...))));
-    const std::size_t site = nearest_site(place...);
-    return site == no_site ? std::vector<std::size_t>() : sites_at_point_of(m_solver, site);
+    const std::size_t i = nearest_site(place...);
+    return i == no_site ? std::vector<std::size_t>() : sites_at_point_of(m_solver, m_complex, i, cell_of_site(i));
   }
 
   // Returns the distance of a place to the nearest site, less its weight; -1 if no site reaches it. A location that is

@@ -113,20 +113,21 @@ bool propagate_diagram(Solver& solver, Voronoi_complex<double>& complex, double 
   return true;
 }
 
-// Returns the sites at the point of site i that have its weight, i among them, in ascending order. Sites that tie
-// everywhere count as being at one point. Linear in the number of faces around the sites. Requires: all sites are
-// points, and are inserted.
+// Returns the sites at the point of site i that have its weight, i among them, in ascending order. `cell` is its cell.
+// A site with the same weight whose vertex is in that cell is at that point, up to rounding: anywhere else, it would
+// be nearer to itself. Linear in the number of sites. Requires: all sites are points, and are inserted.
 template <typename Solver>
-std::vector<std::size_t> sites_at_point_of(const Solver& solver, std::size_t i)
+std::vector<std::size_t> sites_at_point_of(const Solver& solver, const Voronoi_complex<double>& complex, std::size_t i,
+                                           Vertex_id cell)
 {
-  const std::vector<Vertex_id> own = solver.sources().vertices_of(i);
-  std::vector<Vertex_id> at = own;
-  for_each_equal_site(solver, [&](Vertex_id v, Vertex_id u)
-  {
-    if(std::find(own.begin(), own.end(), u) != own.end())
-      at.push_back(v);
-  });
-  return solver.sources().sources_at(at, solver.sources().offset(i));
+  const auto& sources = solver.sources();
+  std::vector<std::size_t> result;
+  for(std::size_t j = 0; j < sources.size(); ++j) // on a wall, a site is listed once for each side
+    if(sources.offset(j) == sources.offset(i) && complex.owner(sources.vertices[j]) == cell)
+      result.push_back(sources.number(j));
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
 }
 
 // Returns the sites that have the point where a path ends, with the weight that counts there, in ascending order:

@@ -23,11 +23,12 @@ constexpr double full_turn = 6.283185307179586;
 constexpr double half_turn = full_turn / 2;
 
 // Returns the same angle in [0, period). A negative angle within rounding of 0 would become the period itself, and
-// gives 0 instead. std::fmod() is exact, so many turns cost no digits. Requires: both are finite, period > 0.
+// gives 0 instead; what is not a number stays so. std::fmod() is exact, so many turns cost no digits. Requires:
+// period > 0.
 inline double reduced_angle(double angle, double period)
 {
   const double r = std::fmod(angle, period), reduced = r < 0 ? r + period : r;
-  return reduced < period ? reduced : 0.;
+  return reduced >= period ? 0. : reduced;
 }
 
 } // namespace internal

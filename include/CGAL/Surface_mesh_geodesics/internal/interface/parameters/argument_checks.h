@@ -40,16 +40,27 @@ namespace internal {
 
 // --- ranges ---
 
-// True for a range whose elements convert to Element: what std::begin() and std::end() take, arrays included.
+// What a range-based loop finds: members, or functions in the namespace of the range; arrays, too.
+namespace beginning_of_range {
+using std::begin;
+using std::end;
+
+template <typename Range>
+auto element(const Range& range) -> decltype(static_cast<void>(end(range)), *begin(range));
+} // namespace beginning_of_range
+
+template <typename Range>
+using Element_of_range = decltype(beginning_of_range::element(std::declval<const Range&>()));
+
+// True for a range whose elements convert to Element.
 template <typename Range, typename Element, typename = void>
 struct Is_range_of
   : std::false_type
 {};
 
 template <typename Range, typename Element>
-struct Is_range_of<Range, Element, std::void_t<decltype(*std::begin(std::declval<const Range&>())),
-                                               decltype(std::end(std::declval<const Range&>()))>>
-  : std::is_convertible<decltype(*std::begin(std::declval<const Range&>())), Element>
+struct Is_range_of<Range, Element, std::void_t<Element_of_range<Range>>>
+  : std::is_convertible<Element_of_range<Range>, Element>
 {};
 
 // A range of vertices that is no range of sources: targets of a matrix, or vertices of a symmetric one. Locations are
@@ -57,7 +68,8 @@ struct Is_range_of<Range, Element, std::void_t<decltype(*std::begin(std::declval
 template <typename Vertices, typename Vertex>
 struct Checked_vertices
 {
-  static_assert(Is_range_of<Vertices, Vertex>::value, "the vertices or targets are a range of vertices of the mesh");
+  static_assert(Is_range_of<Vertices, Vertex>::value,
+                "the vertices or targets are not a range of vertices of the mesh");
   static constexpr bool value = true;
 };
 
@@ -121,8 +133,8 @@ constexpr bool takes_value()
     return true;
 }
 
-// The same for a mesh and a map that receives a Value for each of its new faces. (The type `auto` is not idle: the
-// compiler has to read the body at once, before the rest of the caller.)
+// Checks an output mesh, as above, and a map that receives a Value for each of its new faces. (The type `auto` is not
+// idle: the compiler has to read the body at once, before the rest of the caller.)
 template <typename OutputMesh, typename FaceMap, typename Value>
 auto check_output_mesh()
 {

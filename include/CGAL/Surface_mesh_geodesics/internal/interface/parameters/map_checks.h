@@ -66,8 +66,8 @@ struct Has_keys<Map, Key, std::void_t<typename boost::property_traits<Map>::key_
                                    || std::is_void<typename boost::property_traits<Map>::key_type>::value>
 {};
 
-// True for a property map that cannot be written: it says so, or its put() is Boost's, which assigns to a reference,
-// and the reference is one to a constant. (Boost's map of a `const std::map` does not say so.)
+// True for a property map that cannot be written: it says so, or it has references and its put() is Boost's, which
+// assigns to a reference, but the reference is one to a constant. (Boost's map of a `const std::map` does not say so.)
 template <typename Map, typename = void>
 struct Is_read_only
   : std::false_type
@@ -78,7 +78,8 @@ struct Is_read_only<Map, std::void_t<typename boost::property_traits<Map>::categ
                                      typename boost::property_traits<Map>::reference>>
   : std::integral_constant<
       bool, std::is_same<typename boost::property_traits<Map>::category, boost::readable_property_map_tag>::value
-              || (std::is_const<std::remove_reference_t<typename boost::property_traits<Map>::reference>>::value
+              || (std::is_same<typename boost::property_traits<Map>::category, boost::lvalue_property_map_tag>::value
+                  && std::is_const<std::remove_reference_t<typename boost::property_traits<Map>::reference>>::value
                   && std::is_base_of<boost::put_get_helper<typename boost::property_traits<Map>::reference, Map>,
                                      Map>::value)>
 {};

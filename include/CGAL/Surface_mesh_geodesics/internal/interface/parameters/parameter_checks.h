@@ -11,7 +11,7 @@
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_PARAMETERS_PARAMETER_CHECKS_H
 
 // What a public function rejects at compile time: a named parameter that it does not take, which would have no effect,
-// and a value of a wrong type. Nothing here remains at run time.
+// and a map of other elements. Other arguments are checked in argument_checks.h. Nothing here remains at run time.
 
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/Parameter_sequence.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/argument_checks.h>
@@ -19,8 +19,6 @@
 
 #include <CGAL/Named_function_parameters.h>
 
-#include <functional>
-#include <iterator>
 #include <type_traits>
 #include <utility>
 
@@ -82,6 +80,14 @@ template <typename Set, typename TriangleMesh, typename NamedParameters>
 auto check_parameters(const TriangleMesh&, const NamedParameters& np)
 {
   static_assert(Checked_mesh<TriangleMesh>::value, "always true, if it compiles");
+  check_parameters<Set>(np);
+  check_maps<TriangleMesh>(np);
+}
+
+// The same for a function that reads single faces only, of a model of FaceGraph: it may not know its number of faces.
+template <typename Set, typename TriangleMesh, typename NamedParameters>
+auto check_parameters_of_face_graph(const TriangleMesh&, const NamedParameters& np)
+{
   check_parameters<Set>(np);
   check_maps<TriangleMesh>(np);
 }
@@ -160,8 +166,6 @@ using Relaxation_parameters = Extended_set<Mesh_and_visitor_parameters, internal
                                            internal_np::edges_to_avoid_t, internal_np::first_curves_t>::type;
 using Remeshing_parameters = Extended_set<Mesh_and_visitor_parameters, internal_np::threshold_distance_t,
                                           internal_np::number_of_iterations_t, internal_np::faces_to_avoid_t>::type;
-
-// --- types of values: false for a type that is something else altogether (for maps see map_checks.h) ---
 
 } // namespace internal
 } // namespace Surface_mesh_geodesics

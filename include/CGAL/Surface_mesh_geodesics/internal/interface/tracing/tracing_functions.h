@@ -175,7 +175,7 @@ auto layouts_from_points(const TriangleMesh& tm, const NamedParameters& np)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  check_parameters<Tracing_parameters>(tm, np);
+  check_parameters_of_face_graph<Tracing_parameters>(tm, np);
   auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
                               get_const_property_map(CGAL::vertex_point, tm));
   const Layouts_from_points<TriangleMesh, decltype(vpm)> layouts(tm, vpm);
@@ -186,7 +186,7 @@ auto layouts_from_points(const TriangleMesh& tm, const NamedParameters& np)
 template <typename TriangleMesh, typename EdgeLengthMap, typename NamedParameters>
 auto layouts_from_edge_lengths(const TriangleMesh& tm, EdgeLengthMap edge_length_map, const NamedParameters& np)
 {
-  check_parameters<Edge_length_tracing_parameters>(tm, np);
+  check_parameters_of_face_graph<Edge_length_tracing_parameters>(tm, np);
   const Layouts_from_edge_lengths<TriangleMesh, EdgeLengthMap> layouts(tm, edge_length_map);
   return with_walls(tm, with_avoided_faces(tm, layouts, np), np);
 }

@@ -381,7 +381,7 @@ private:
     }
   }
 
-  // Asks for what is_nearest_of_links() reads.
+  // Asks for what is_nearest_of_links() reads, unless that is more than a cache holds.
   void prefetch_records_around(Vertex_id v) const
   {
     if(degree(v) != 0 && degree(v) <= few_links)

@@ -79,27 +79,6 @@ struct Source_set
 
   // Requires: i < size().
   FT offset(std::size_t i) const { return offsets.empty() ? FT(0) : offsets[i]; }
-
-  // The vertices of a source of the user: one, or on a wall one for each side. Linear in the number of sources.
-  std::vector<Vertex_id> vertices_of(std::size_t i) const
-  {
-    std::vector<Vertex_id> result;
-    for(std::size_t j = 0; j < size(); ++j)
-      if(number(j) == i)
-        result.push_back(vertices[j]);
-    return result;
-  }
-
-  // The sources of the user that are at one of a few vertices and have an offset, in ascending order. On a wall they
-  // may be given on different sides of it. Linear in the number of sources, times that of the vertices.
-  std::vector<std::size_t> sources_at(const std::vector<Vertex_id>& at, const FT& wanted) const
-  {
-    std::vector<std::size_t> result;
-    for(std::size_t j = 0; j < number_of_sources(); ++j)
-      if(offset(j) == wanted && std::find(at.begin(), at.end(), vertices[j]) != at.end())
-        result.push_back(j);
-    return result;
-  }
 };
 
 // Makes vertices of n sources in one face, which are in the order of their coordinates.
