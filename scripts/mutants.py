@@ -865,6 +865,9 @@ MUTANTS = [
      "if(best == i || (!is_forced && largest <= tolerance))",
      "if(best == i || (!is_forced && largest <= 64 * tolerance))",
      "cut meshes are farther from the arcs than is asked for", (CUT,)),
+    ("cut_anew_with_many_vertices", FACE_CUT,
+     "m_points.size() <= limit_of_further_attempts(badness)", "points.size() <= limit_of_further_attempts(badness)",
+     "a triangle without area costs many times what the face does", (CUT,)),
 
     # --- matrices ---
     ("matrix_asks_between_rows_only", MATRIX,

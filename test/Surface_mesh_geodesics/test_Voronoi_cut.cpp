@@ -8,7 +8,10 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Polyhedron_items_with_id_3.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh_geodesics/Surface_curve.h>
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_Voronoi_diagram.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_face_cut.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Lazy_Voronoi_diagram.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
@@ -17,6 +20,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace {
@@ -316,6 +320,51 @@ void a_tie_at_a_hole_needs_few_vertices()
   }
 }
 
+// The boundary between a point and a closed curve touches an edge of an octahedron: the triangle there has no area,
+// however fine the curves are. Further attempts have few vertices, so they take little time beside the attempt that the
+// tolerance asks for. (The time is cubic in the number of vertices, which counts here instead of a clock.)
+void a_boundary_that_touches_an_edge_takes_little_time()
+{
+  namespace internal = CGAL::Surface_mesh_geodesics::internal;
+  using Location = Voronoi::Face_location;
+  using Elements = internal::Voronoi_handles<Voronoi>;
+  using Cut_of_face = internal::Voronoi_face_cut;
+  const Mesh mesh = to_face_graph(Indexed_mesh{
+    "octahedron", {{0, 0, 2}, {2, 0, 0}, {0, 2, 0}, {-2, 0, 0}, {0, -2, 0}, {0, 0, -2}},
+    {{1, 0, 4}, {4, 0, 3}, {3, 0, 2}, {2, 0, 1}, {1, 5, 2}, {2, 5, 3}, {3, 5, 4}, {4, 5, 1}}});
+  const Location middle(face_descriptor(0), {1. / 3, 1. / 3, 1. / 3});
+  const CGAL::Surface_mesh_geodesics::Surface_curve<Mesh> closed(
+    mesh, std::vector<Location>{Location(face_descriptor(3), {.04, .96, 0}),
+                                Location(face_descriptor(3), {0, .5, .5}), Location(face_descriptor(3), {1, 0, 0})},
+    true);
+  Voronoi voronoi(mesh);
+  voronoi.add_site(middle);
+  voronoi.add_site(closed);
+  for(const double tolerance : {.1, .03, .01, 1e-3})
+    CHECK(check_cut(mesh, voronoi, tolerance, false) <= 1);
+
+  const auto fim = get(boost::face_index, mesh);
+  const auto vim = get(boost::vertex_index, mesh);
+  const auto vpm = get(CGAL::vertex_point, mesh);
+  internal::Lazy_Voronoi_diagram<Traits, std::decay_t<decltype(vim)>, std::decay_t<decltype(fim)>,
+                                 std::decay_t<decltype(vpm)>, Elements>
+    diagram(mesh, vim, fim, vpm, Traits(), Elements(voronoi));
+  diagram.add_site(middle, 0.);
+  diagram.add_site(closed, 0.);
+  diagram.build();
+  Cut_of_face cut(diagram.refined_mesh(), diagram.complex());
+  std::size_t number_of_bad_faces = 0;
+  for(double tolerance = 1; tolerance > 1e-5; tolerance /= 2)
+    for(internal::Face_id f = 0; f < diagram.refined_mesh().number_of_faces(); ++f)
+    {
+      cut.cut(f, tolerance);
+      number_of_bad_faces += cut.badness() > 0 ? 1 : 0;
+      const std::size_t limit = Cut_of_face::limit_of_further_attempts(cut.badness());
+      CHECK(cut.largest_number_of_vertices() <= (std::max)(cut.points().size(), limit));
+    }
+  CHECK(number_of_bad_faces > 0);
+}
+
 // Special input: parts that no site reaches, no sites at all, a point map, a Polyhedron_3.
 void special_input_is_cut()
 {
@@ -353,6 +402,7 @@ int main()
   an_arc_along_an_edge_cuts_nothing();
   smaller_tolerances_give_better_areas();
   a_tie_at_a_hole_needs_few_vertices();
+  a_boundary_that_touches_an_edge_takes_little_time();
   special_input_is_cut();
   cuts_at_symmetric_sites_are_right();
   cuts_of_random_diagrams_are_right(seed);

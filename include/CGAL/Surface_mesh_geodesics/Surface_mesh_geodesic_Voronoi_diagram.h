@@ -1096,7 +1096,8 @@ public:
   edges. An arc that ends at a vertex of the mesh, up to rounding, ends at that vertex of the output, and an arc along
   an edge of the mesh becomes that edge. Sites inside faces and on edges become vertices, sites that are curves become
   edges. Pieces of hyperbolas and of parabolas become polylines. Where several arcs in a face are closer to each other
-  than the tolerance, they are approximated more closely, so that they do not cross.
+  than the tolerance, they are approximated more closely, so that they do not cross, as long as the face gets at most
+  256 vertices. A triangle may have no area, as where an arc touches an edge.
 
   The vertices of the mesh come first in the output, in an unspecified order.
 
@@ -1129,7 +1130,8 @@ public:
           has to be cleared.
 
   Takes time linear in the size of the mesh and of the diagram. In a face with many arcs or samples, the time grows with
-  the cube of the number of vertices around a piece of a cell.
+  the cube of the number of vertices around a piece of a cell. A closer approximation than the tolerance asks for adds
+  a bounded time for each face.
   */
   template <typename OutputMesh, typename FaceSiteMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
   void cut(OutputMesh& output, FaceSiteMap face_site_map, double tolerance,

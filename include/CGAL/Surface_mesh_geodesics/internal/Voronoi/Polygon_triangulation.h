@@ -80,6 +80,10 @@ public:
   // Returns 0 if all triangles are counterclockwise and all diagonals allowed, a larger number otherwise.
   std::uint64_t badness() const { return m_badness; }
 
+  // Returns whether a badness, or a sum of some, stands for triangles that lie on others or for forbidden diagonals. It
+  // is larger than that of any usual number of triangles without area then.
+  static bool has_overlap(std::uint64_t badness) { return badness >= CLOCKWISE; }
+
 private:
   // Above the number of bad triangles of any polygon that fits in memory. A sum of such terms, one for each diagonal,
   // does not overflow.

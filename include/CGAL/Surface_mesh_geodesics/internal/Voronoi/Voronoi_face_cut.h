@@ -20,7 +20,8 @@
 // into cycles without repeated vertices; cycles of two vertices (an arc along an edge) are dropped; the others are
 // triangulated. So the cut of all faces fits together regardless of rounding.
 //
-// Curves are sampled. If segments cross where curves are close to each other, the face is sampled more finely.
+// Curves are sampled. If segments cross where curves are close to each other, the face is sampled more finely, as long
+// as it gets few vertices: the time is cubic in their number.
 //
 // Steps for a divided face: collect_border(), find_vertices_of_nodes(), collect_curves(), collect_regions(), and for
 // each walk divide_into_cycles() and triangulate().
@@ -79,6 +80,7 @@ public:
   {
     CGAL_assertion(f < m_mesh.number_of_faces());
     m_face = f;
+    m_largest_number_of_vertices = 0;
     collect_border();
     if(m_border_nodes.empty() || m_complex.has_one_cell(f))
       cut_undivided();
@@ -97,6 +99,17 @@ public:
   // between its vertices, a larger number otherwise.
   std::uint64_t badness() const { return m_badness; }
 
+  // Returns the largest number of vertices that the face had in an attempt, also in one that gave no better result. The
+  // time of the cut depends on it.
+  std::size_t largest_number_of_vertices() const { return m_largest_number_of_vertices; }
+
+  // Returns how many vertices a face may have when it is cut again after a cut of the given badness. Triangles that lie
+  // on others are worth more time than those without area: they do no harm, and often stay however fine the curves are.
+  static std::size_t limit_of_further_attempts(std::uint64_t badness)
+  {
+    return Polygon_triangulation::has_overlap(badness) ? 256 : 64;
+  }
+
 private:
   // Triangulates a face in one cell, which may have vertices on its border.
   void cut_undivided()
@@ -109,27 +122,33 @@ private:
   }
 
   // Cuts a divided face with finer and finer curves until no triangle is bad, and keeps the best result. Finer curves
-  // help where curves cross; but a triangle may have no area at any tolerance. So the number of attempts is bounded:
-  // each one has up to four times the vertices of the one before, and takes cubic time.
+  // help where curves cross, but some triangles are bad at any tolerance: those between a curve and a side that it
+  // touches. So the number of attempts is bounded, and so are the vertices of each but the first, which has the user's
+  // tolerance. They are counted before they are triangulated, as there may be four times as many as before.
   void cut_until_valid(double tolerance)
   {
     const int number_of_attempts = 6;
-    const std::size_t many = 256;
-    cut_divided(tolerance);
-    std::size_t number_of_vertices = m_points.size();
-    for(int i = 1; i < number_of_attempts && m_badness > 0 && number_of_vertices <= many; ++i)
+    collect_vertices(tolerance);
+    collect_regions();
+    for(int i = 1; i < number_of_attempts && m_badness > 0; ++i)
     {
       const std::vector<Point> points = m_points;
       const std::vector<Triangle> triangles = m_triangles;
       const std::uint64_t badness = m_badness;
       tolerance /= 16;
-      cut_divided(tolerance);
-      number_of_vertices = m_points.size();
-      if(m_badness < badness)
-        continue;
+      collect_vertices(tolerance);
+      const bool is_small = m_points.size() <= limit_of_further_attempts(badness);
+      if(is_small)
+      {
+        collect_regions();
+        if(m_badness < badness)
+          continue;
+      }
       m_points = points;
       m_triangles = triangles;
       m_badness = badness;
+      if(!is_small)
+        return;
     }
   }
 
@@ -192,13 +211,12 @@ private:
     m_badness = 0;
   }
 
-  // Cuts a divided face once. Takes time cubic in the number of vertices.
-  void cut_divided(double tolerance)
+  // Starts a cut of a divided face, and makes all vertices that it will have.
+  void collect_vertices(double tolerance)
   {
     start();
     find_vertices_of_nodes();
     collect_curves(tolerance);
-    collect_regions();
   }
 
   // Gives vertices to the nodes of the face. Those on the border have vertices already. An inner node where three cells
@@ -391,8 +409,10 @@ private:
 
   // Walks around each part of a cell once: along the border from node to node, and along curves back to the border. The
   // part is on the left of its walk. Each piece of the border is in one walk, each curve in two, one for each side.
+  // Takes time cubic in the number of vertices.
   void collect_regions()
   {
+    m_largest_number_of_vertices = (std::max)(m_largest_number_of_vertices, m_points.size());
     const std::size_t n = m_border_nodes.size();
     std::vector<char> is_seen(n, 0);
     std::vector<std::uint32_t> walk;
@@ -519,6 +539,7 @@ private:
   std::vector<Border_node> m_border_nodes;
   std::vector<Triangle> m_triangles;
   std::uint64_t m_badness = 0;
+  std::size_t m_largest_number_of_vertices = 0;
   std::unordered_map<std::uint32_t, std::uint32_t> m_vertex_of_node;
   std::vector<Cut_curve> m_curves;
   std::vector<Point> m_samples, m_polygon;
