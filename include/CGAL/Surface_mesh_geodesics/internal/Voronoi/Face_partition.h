@@ -237,11 +237,12 @@ private:
   void trace_all(std::vector<Front>& fronts)
   {
     const auto is_missing = [](const Front& f) { return f.stop == Stop::NOT_TRACED; };
-    auto f = std::find_if(fronts.begin(), fronts.end(), is_missing);
-    if(f != fronts.end())
-      find_sites(fronts);
-    for(; f != fronts.end(); f = std::find_if(f + 1, fronts.end(), is_missing))
-      m_tracer.trace(*f, nullptr);
+    if(std::none_of(fronts.begin(), fronts.end(), is_missing))
+      return;
+    find_sites(fronts);
+    for(Front& f : fronts)
+      if(is_missing(f))
+        m_tracer.trace(f, nullptr);
   }
 
   // Tells the tracer the sites of some fronts: in this part of the face, no trace meets the cell of another site. By

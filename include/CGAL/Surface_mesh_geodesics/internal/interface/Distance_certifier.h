@@ -383,8 +383,8 @@ Certificate certify_distances(const TriangleMesh& tm, VertexDistanceMap vertex_d
                               MakeShape make_shape, const NamedParameters& np)
 {
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
-  // Numbers of any type will do: the distances may come from a program with another kernel. Strings and flags of other
-  // kinds do not. Where the map is wrong, it is not read below, as the errors of reading it would hide the message.
+  // Numbers of any type will do: the distances may come from a program with another kernel. Where the map is wrong, it
+  // is not read below, as the errors of reading it would hide the message.
   constexpr bool are_distances = Is_map_of_numbers<VertexDistanceMap, vertex_descriptor>::value;
   static_assert(are_distances, "distances cannot be read from this argument; it is a property map from the vertices of "
                                "the mesh to numbers, and comes before the sources");

@@ -34,7 +34,6 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
-#include <functional>
 #include <memory>
 #include <type_traits>
 #include <utility>
@@ -179,13 +178,15 @@ public:
   // is a vertex of the mesh (not checked).
   std::size_t nearest_source(vertex_descriptor v) const
   {
-    return nearest_source(v, [this](Vertex_id i) { return field().source_of(i); });
+    const Vertex_id i = nearest_copy(v);
+    return is_reached(i) ? number_of_source(field().source_of(i)) : no_source;
   }
 
   // The same for many vertices, which take linear time together: all calls get one object from sources_of_vertices().
   std::size_t nearest_source(vertex_descriptor v, Sources_of_vertices<FT>& source_of) const
   {
-    return nearest_source(v, std::ref(source_of));
+    const Vertex_id i = nearest_copy(v);
+    return is_reached(i) ? number_of_source(source_of(i)) : no_source;
   }
 
   // The object is valid until the next run.
@@ -231,15 +232,12 @@ private:
   // That of the last run, of either kind.
   const Vertex_distance_field<FT>& field() const { return m_curve_run ? m_curve_run->field() : m_runner.field(); }
 
-  // What the public functions of this name return, where source_of(i) tells the source of vertex i, or the vertex at
-  // the first bend of a path from the inside of a segment, which has the same foot.
-  template <typename SourceOf>
-  std::size_t nearest_source(vertex_descriptor v, SourceOf source_of) const
+  bool is_reached(Vertex_id i) const { return distance_of(i) < Vertex_distance_field<FT>::infinity(); }
+
+  // The number of the source at a vertex. Paths from the inside of a segment have no source there, but the vertex of
+  // their first bend, which has the same foot.
+  std::size_t number_of_source(Vertex_id source) const
   {
-    const Vertex_id i = nearest_copy(v);
-    if(!(distance_of(i) < Vertex_distance_field<FT>::infinity()))
-      return no_source;
-    const Vertex_id source = source_of(i);
     return m_curve_run ? m_curve_run->foot(source).curve : m_numbers.number_at(source);
   }
 

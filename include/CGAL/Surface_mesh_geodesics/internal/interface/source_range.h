@@ -35,7 +35,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <limits>
 #include <string>
 #include <type_traits>
@@ -122,8 +121,8 @@ struct Are_curves
 
 // A range: what its elements are decides. (A curve itself is no range.)
 template <typename Sources>
-struct Are_curves<Sources, std::void_t<decltype(*std::begin(std::declval<const Sources&>()))>>
-  : Is_curve<std::decay_t<decltype(*std::begin(std::declval<const Sources&>()))>>
+struct Are_curves<Sources, std::void_t<Element_of_range<Sources>>>
+  : Is_curve<std::decay_t<Element_of_range<Sources>>>
 {};
 
 // The value of the named parameter first_curves: a curve, or a range of curves, also in std::ref() or std::cref(). It

@@ -148,6 +148,14 @@ public:
   }
   bool has_star(Vertex_id v) const { return (m_vertex_kind[v] & (PINCHED | REFINED)) == 0; }
 
+  // The number of faces around v if it has a star, else 0. With few of them, what a visit reads around v fits into the
+  // fastest cache, and is worth asking for in advance.
+  std::size_t size_of_star(Vertex_id v) const
+  {
+    return has_star(v) ? static_cast<std::size_t>(star_end(v) - star_begin(v)) : 0;
+  }
+  bool has_small_star(Vertex_id v) const { return has_star(v) && size_of_star(v) <= few_faces; }
+
   // Ask the processor for the memory of these halfedges and, once it has arrived, for that of their faces.
   void prefetch_star(Vertex_id v) const
   {
@@ -156,7 +164,7 @@ public:
   }
   void prefetch_faces_of_star(Vertex_id v) const
   {
-    if(has_star(v) && star_end(v) - star_begin(v) <= most_faces_to_prefetch)
+    if(has_small_star(v))
       for(const Halfedge_id* h = star_begin(v); h != star_end(v); ++h)
         prefetch(&face(face_of(*h)));
   }
@@ -552,7 +560,7 @@ private:
   static constexpr double largest_faces_crossed = 1 << 30; // windows count faces in 31 bits
 
   static constexpr std::size_t room_for_sources = 64; // faces; a source needs two or three
-  static constexpr std::ptrdiff_t most_faces_to_prefetch = 32; // of a star; more would only push each other out
+  static constexpr std::size_t few_faces = 32;        // of a star
 
   std::vector<Face> m_faces;
   std::vector<Halfedge_id> m_vertex_halfedge;

@@ -136,36 +136,44 @@ struct Vertex_distance_field
   }
 };
 
-// The same as source_of(), for many vertices of one field: remembers what it has found, so that all vertices together
-// take linear time. Many paths bend at the same vertices, so that following each of them may take quadratic time.
+// Follows the path to v back, from bend to bend, up to the first vertex for which is_last() holds, and returns it.
+// `last_of` has the results that are known, null_id for other vertices. All vertices on the way get the same one, so
+// that no later path runs through them again: n calls take linear time, where each path alone may have n bends.
+// Requires: is_last() holds for sources and for vertices that are not reached.
+template <typename FT, typename IsLast>
+Vertex_id follow_path_back(const Vertex_distance_field<FT>& field, Vertex_id v, std::vector<Vertex_id>& last_of,
+                           IsLast is_last)
+{
+  Vertex_id last = v;
+  while(last_of[last] == null_id && !is_last(last))
+    last = field.arrival[last].root;
+  const Vertex_id result = last_of[last] == null_id ? last : last_of[last];
+  for(last_of[last] = result; v != last; v = field.arrival[v].root)
+    last_of[v] = result;
+  return result;
+}
+
+// The same as source_of(), for many vertices of one field, in linear time.
 template <typename FT>
 class Sources_of_vertices
 {
 public:
   // The field must outlive this object and not change.
   explicit Sources_of_vertices(const Vertex_distance_field<FT>& field)
-    : m_field(field), m_source(field.distance.size(), null_id)
+    : m_field(field), m_first(field.distance.size(), null_id)
   {}
 
-  // Returns the source of v; null_id if v is not reached. Follows the path back to the first vertex whose source is
-  // known, or to the first one of the path. All vertices on the way get the same source, so that no later path runs
-  // through them again.
+  // Returns the source of v; null_id if v is not reached.
   Vertex_id operator()(Vertex_id v)
   {
-    Vertex_id last = v;
-    while(m_source[last] == null_id && root(last) != null_id && root(last) != last)
-      last = root(last);
-    const Vertex_id source = m_source[last] == null_id ? root(last) : m_source[last];
-    for(m_source[last] = source; v != last; v = root(v))
-      m_source[v] = source;
-    return source;
+    const auto root = [this](Vertex_id u) { return m_field.arrival[u].root; };
+    return root(follow_path_back(m_field, v, m_first,
+                                 [&](Vertex_id u) { return root(u) == null_id || root(u) == u; }));
   }
 
 private:
-  Vertex_id root(Vertex_id v) const { return m_field.arrival[v].root; }
-
   const Vertex_distance_field<FT>& m_field;
-  std::vector<Vertex_id> m_source; // by vertex, null_id as long as it is unknown
+  std::vector<Vertex_id> m_first; // by vertex: where its path begins; null_id as long as that is unknown
 };
 
 } // namespace internal

@@ -40,23 +40,13 @@ namespace internal {
 // Is a type a point of the surface, or a range of such points? A curve is neither, although it is a source. Those who
 // make curves or sites of an argument ask first, and leave the loop out if it would not compile: then the only message
 // says what the argument has to be. (A type that is both counts as a point, as for sources.)
-template <typename TriangleMesh, typename Sources, typename = void>
+template <typename TriangleMesh, typename Sources>
 struct Kind_of_places
 {
   static constexpr bool is_place
     = Is_vertex<TriangleMesh, Sources>::value || Is_face_location<TriangleMesh, Sources>::value;
-  static constexpr bool are_places = false;
-};
-
-// A range of sources, an array included. Its first element decides, as all elements have one type. A range of curves is
-// one of sources, too; those who take it ask Are_curves besides.
-template <typename TriangleMesh, typename Sources>
-struct Kind_of_places<TriangleMesh, Sources, std::enable_if_t<Is_range_of_sources<TriangleMesh, Sources>::value>>
-{
-  static constexpr bool is_place
-    = Is_vertex<TriangleMesh, Sources>::value || Is_face_location<TriangleMesh, Sources>::value;
   static constexpr bool are_places
-    = !Is_curve<std::decay_t<Element_of_range<Sources>>>::value;
+    = Is_range_of_sources<TriangleMesh, Sources>::value && !Are_curves<Sources>::value;
 };
 
 // Throws for a curve that is none. `position` is that of the location in the range of the user; `fault` ends the

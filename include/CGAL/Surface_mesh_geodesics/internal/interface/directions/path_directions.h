@@ -123,17 +123,12 @@ private:
 };
 
 // Returns the first vertex behind the source at which the path to v bends, as Path_solver::end_of_first_piece() does;
-// `end` has those that are known, null_id for others. All vertices on the way get it, so that n calls take linear time.
+// `end` has those that are known (follow_path_back()). Requires: v is reached.
 inline Vertex_id end_of_first_piece(const Vertex_distance_field<double>& field, Vertex_id v,
                                     std::vector<Vertex_id>& end)
 {
-  Vertex_id last = v;
-  while(end[last] == null_id && !field.is_source(last) && !field.is_source(field.arrival[last].root))
-    last = field.arrival[last].root;
-  const Vertex_id result = end[last] == null_id ? last : end[last];
-  for(end[last] = result; v != last; v = field.arrival[v].root)
-    end[v] = result;
-  return result;
+  return follow_path_back(field, v, end, [&](Vertex_id u)
+  { return field.is_source(u) || field.is_source(field.arrival[u].root); });
 }
 
 // Writes the directions of all vertices. All vertices behind a bend have the direction of the path to the bend. Nearer

@@ -384,7 +384,7 @@ private:
   // Asks for what is_nearest_of_links() reads, unless that is more than a cache holds.
   void prefetch_records_around(Vertex_id v) const
   {
-    if(degree(v) != 0 && degree(v) <= few_links)
+    if(m_mesh.has_small_star(v))
       for(const Halfedge_id* h = m_mesh.star_begin(v); h != m_mesh.star_end(v); ++h)
         prefetch(&m_division.records()[m_mesh.target(*h)]);
   }
@@ -416,15 +416,11 @@ private:
   // all of them at once.) Requires: star.surround() was called.
   bool is_nearest_of_links(const Vertex_star<FT>& star) const
   {
-    const Vertex_records<FT>& records = m_division.records();
-    const float key = records[star.vertex].mark.key;
-    const std::uint32_t factor = m_threshold.factor_of_ties();
     bool is_nearest = true;
     for(const Link_vertex<FT>& link : star.links)
     {
-      const Batch_mark& other = records[link.vertex].mark;
-      const bool is_nearer = other.key < key || (!(key < other.key) && factor * link.vertex < factor * star.vertex);
-      is_nearest = is_nearest && !(other.round == m_round && is_nearer);
+      const bool is_nearer = is_before(link.vertex, star.vertex);
+      is_nearest = is_nearest && !(m_division.records()[link.vertex].mark.round == m_round && is_nearer);
     }
     return is_nearest;
   }
@@ -435,7 +431,7 @@ private:
   // it is not known.
   bool is_known_to_wait(Vertex_id v) const
   {
-    if(degree(v) <= few_links || degree(v) <= 8 * m_size_of_batch)
+    if(m_mesh.has_small_star(v) || m_mesh.size_of_star(v) <= 8 * m_size_of_batch)
       return false;
     const auto has_nearer_link = [&](const std::vector<Queued_vertex<FT>>& batch)
     {
@@ -448,13 +444,7 @@ private:
     return false;
   }
 
-  // The number of faces around v; 0 if v has no star in the table of stars.
-  std::size_t degree(Vertex_id v) const
-  {
-    return m_mesh.has_star(v) ? static_cast<std::size_t>(m_mesh.star_end(v) - m_mesh.star_begin(v)) : 0;
-  }
-
-  // Is u visited before v, if both are in the batch and links of each other? The order of is_nearest_of_links().
+  // Is u visited before v, if both are in the batch and links of each other? The nearer one is, of a tie the first one.
   bool is_before(Vertex_id u, Vertex_id v) const
   {
     const Batch_mark &a = m_division.records()[u].mark, &b = m_division.records()[v].mark;
@@ -467,8 +457,7 @@ private:
   {
     const auto leads_to_v = [&](Halfedge_id h)
     { return m_mesh.target(h) == v || m_mesh.source(previous_halfedge(h)) == v; };
-    return degree(u) != 0 && degree(u) <= few_links
-        && std::any_of(m_mesh.star_begin(u), m_mesh.star_end(u), leads_to_v);
+    return m_mesh.has_small_star(u) && std::any_of(m_mesh.star_begin(u), m_mesh.star_end(u), leads_to_v);
   }
 
   // Queues a vertex that a visit in a part has met: at once if no other thread is at work, else by a message. The next
@@ -513,7 +502,6 @@ private:
   // Regions drift apart slowly. Until they are balanced again, threads help each other.
   static constexpr std::size_t batches_per_balance = 8;
 
-  static constexpr std::size_t few_links = 32;              // of a vertex: their records fit into the cache
   static constexpr std::size_t smallest_shared_update = 16; // visits that have left messages
   static constexpr std::size_t smallest_shared_batch = 6;   // visits
 
